@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// report.h: what an optimisation says about its run.
+#pragma once
+
+#include <string>
+
+namespace developable {
+
+/// Why a run ended. The numbers are part of the interface.
+enum class Status {
+	Converged =
+		0, ///< every vertex copy is a developable point (and C is below its tolerance, where one is set)
+	Stalled = 1,      ///< further steps would change nothing worth having
+	LimitReached = 2, ///< the limit of iterations or operations
+	NeedsCut = 3,     ///< there is no developable shape near this one: it needs a cut
+	Stopped = 4,      ///< the user asked for a stop; nothing was changed
+	NothingToDo = 5   ///< developable from the start
+};
+
+/// What every optimisation reports. Shapes are compared by the caller, which has both of them.
+struct OptimizationReport {
+	Status status = Status::NothingToDo;
+	long iterations = 0; ///< outer steps of the global methods, operations attempted of the local method
+};
+
+/// True when the run ended in a developable shape, as that method's tolerances have it.
+inline bool converged(Status status) {
+	return status == Status::Converged || status == Status::NothingToDo;
+}
+
+/// The status in a few words.
+inline std::string describe(Status status) {
+	switch (status) {
+	case Status::Converged:
+		return "converged";
+	case Status::Stalled:
+		return "stalled: further steps would change next to nothing";
+	case Status::LimitReached:
+		return "stopped at the limit of iterations or operations";
+	case Status::NeedsCut:
+		return "no developable shape near this one: it needs a cut";
+	case Status::Stopped:
+		return "stopped by the user: nothing was changed";
+	case Status::NothingToDo:
+		return "nothing to do: developable from the start";
+	}
+	return "unknown";
+}
+
+} // namespace developable
