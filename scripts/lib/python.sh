@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# python.sh: the Python environments: .venv (pymeshlab 2025.7, and the tools) and .venv-2022.2.
+
+# find_python: prints a Python 3.11 that can make environments
+find_python() {
+	local candidate
+	for candidate in python3.11 python3 /usr/bin/python3.11; do
+		if "$candidate" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info[:2] != (3, 11))' 2>/dev/null; then
+			"$candidate" -c 'import sys; print(sys.executable)'
+			return
+		fi
+	done
+	return 1
+}
+
+# fill_environment FOLDER REQUIREMENTS: a new environment with the requirements and, where it is there, our own package
+fill_environment() {
+	local folder=$1 requirements=$2 python
+	python=$(find_python) || { install_packages python3.11-venv && python=$(find_python); } ||
+		fail "no Python 3.11 with the venv module was found"
+	say "making $(basename "$folder")"
+	"$python" -m venv --clear "$folder"
+	local packages=(-r "$requirements")
+	if [[ -f $root/python/pyproject.toml ]]; then packages+=(-e "$root/python"); fi
+	"$folder/bin/python" -m pip install --quiet --disable-pip-version-check "${packages[@]}"
+}
+
+# provide_environment FOLDER REQUIREMENTS
+provide_environment() {
+	local folder=$1 requirements=$2
+	once "$folder/.complete" "$(checksum "$requirements" "$root/python/pyproject.toml") $root" \
+		fill_environment "$folder" "$requirements"
+}

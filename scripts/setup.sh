@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# setup.sh [TARGET...]: installs what is missing and builds the targets, all of them when none is named.
+# A target is a host, whose plugin becomes build/HOST/libfilter_developable.so, or `tests`, the C++ unit tests.
+# A second run finds everything in place and ends in seconds.
+
+. "$(dirname "$0")/lib/common.sh"
+. "$root/scripts/lib/packages.sh"
+. "$root/scripts/lib/headers.sh"
+. "$root/scripts/lib/python.sh"
+
+all_targets=(meshlab-2020.09 pymeshlab-2022.2 pymeshlab-2025.7 meshlab-2025.07 tests)
+
+build_packages=(g++ cmake ninja-build libeigen3-dev qtbase5-dev libqt5opengl5-dev libgl-dev libglew-dev)
+# What the stock programs and the wheels expect of a desktop.
+run_packages=(libgl1 libglu1-mesa libegl1 libopengl0 libxrender1 libfontconfig1)
+
+# provide_host TARGET: packages, Python environment and headers
+provide_host() {
+	case $1 in
+	meshlab-2020.09)
+		install_packages "${build_packages[@]}" meshlab xvfb xauth libgl1-mesa-dri
+		provide_headers 2020.09
+		;;
+	pymeshlab-2022.2)
+		install_packages "${build_packages[@]}" "${run_packages[@]}"
+		provide_environment "$root/.venv-2022.2" "$root/python/requirements-2022.2.txt"
+		provide_headers 2022.02
+		;;
+	pymeshlab-2025.7)
+		install_packages "${build_packages[@]}" "${run_packages[@]}"
+		provide_environment "$root/.venv" "$root/python/requirements-dev.txt"
+		provide_headers 2025.07
+		;;
+	meshlab-2025.07)
+		install_packages "${build_packages[@]}"
+		provide_headers 2025.07
+		;;
+	tests)
+		install_packages "${build_packages[@]}" libgtest-dev
+		provide_headers 2025.07
+		;;
+	*)
+		fail "'$1' is no target; the targets are: ${all_targets[*]}"
+		;;
+	esac
+}
+
+configure() { (cd "$root" && cmake --preset "$1" >"$build_root/$1.log") || fail "configuring $1 failed"; }
+
+# build TARGET: Ninja itself sees what is out of date
+build() {
+	mkdir -p "$build_root"
+	once "$build_root/$1/.configured" "$(checksum "$root/CMakePresets.json") $root" configure "$1"
+	say "building $1"
+	cmake --build "$build_root/$1" -- --quiet | sed "/ninja: no work to do/d"
+}
+
+targets=("$@")
+if ((${#targets[@]} == 0)); then targets=("${all_targets[@]}"); fi
+for target in "${targets[@]}"; do provide_host "$target"; done
+for target in "${targets[@]}"; do build "$target"; done
