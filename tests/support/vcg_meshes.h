@@ -12,11 +12,15 @@ template <class Scalar>
 struct MeshOf {
 	class Vertex;
 	class Face;
-	struct Types : vcg::UsedTypes<typename vcg::Use<Vertex>::template AsVertexType,
-								  typename vcg::Use<Face>::template AsFaceType> {};
-	class Vertex
-		: public vcg::Vertex<Types, vcg::vertex::Coord<vcg::Point3<Scalar>, Scalar>,
-							 vcg::vertex::Normal<vcg::Point3<Scalar>, Scalar>, vcg::vertex::BitFlags> {};
+	struct Types
+		: vcg::UsedTypes<vcg::Use<Vertex>::template AsVertexType, vcg::Use<Face>::template AsFaceType> {};
+
+	template <class Base>
+	using Coord = vcg::vertex::Coord<vcg::Point3<Scalar>, Base>;
+	template <class Base>
+	using Normal = vcg::vertex::Normal<vcg::Point3<Scalar>, Base>;
+
+	class Vertex : public vcg::Vertex<Types, Coord, Normal, vcg::vertex::BitFlags> {};
 	class Face : public vcg::Face<Types, vcg::face::VertexRef, vcg::face::WedgeTexCoord2f, vcg::face::Color4b,
 								  vcg::face::Qualityf, vcg::face::BitFlags> {};
 	class Mesh : public vcg::tri::TriMesh<std::vector<Vertex>, std::vector<Face>> {};

@@ -11,16 +11,21 @@ namespace detail {
 
 /// The cotangents of all corners, 3 x triangles.
 inline Eigen::Matrix3Xd cornerCotangents(const PatchAssembly& assembly, const Positions& positions) {
-	Eigen::Matrix3Xd cotangents(3, assembly.triangleCount());
+	Eigen::Matrix3Xd result(3, assembly.triangleCount());
 	for (int t = 0; t < assembly.triangleCount(); ++t) {
 		const auto places = assembly.trianglePlaces.col(t);
-		const TriangleFrame frame(positions.col(places[0]), positions.col(places[1]),
-								  positions.col(places[2]));
-		const double inverseDoubleArea = 1 / frame.normal.norm();
-		for (int corner = 0; corner < 3; ++corner)
-			cotangents(corner, t) = frame.cotangentTimesDoubleArea(corner) * inverseDoubleArea;
+		result.col(t) = cotangents(
+			TriangleFrame(positions.col(places[0]), positions.col(places[1]), positions.col(places[2])));
 	}
-	return cotangents;
+	return result;
+}
+
+/// The angle defect of a copy inside its patch, from the cotangents of all corners.
+inline double angleDefect(const PatchAssembly& assembly, const Eigen::Matrix3Xd& cotangents, int copy) {
+	AngleSum sum;
+	for (int i = assembly.cornerStart[copy]; i < assembly.cornerStart[copy + 1]; ++i)
+		sum.add(cotangents.data()[assembly.corners[i]]);
+	return sum.defect();
 }
 
 } // namespace detail
@@ -31,14 +36,9 @@ inline Eigen::Matrix3Xd cornerCotangents(const PatchAssembly& assembly, const Po
 inline Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& positions) {
 	const Eigen::Matrix3Xd cotangents = detail::cornerCotangents(assembly, positions);
 	Eigen::VectorXd defects = Eigen::VectorXd::Zero(assembly.copyCount());
-	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
-		if (!assembly.copyInterior[copy])
-			continue;
-		detail::AngleSum sum;
-		for (int i = assembly.cornerStart[copy]; i < assembly.cornerStart[copy + 1]; ++i)
-			sum.add(cotangents.data()[assembly.corners[i]]);
-		defects[copy] = sum.defect();
-	}
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		if (assembly.copyInterior[copy])
+			defects[copy] = detail::angleDefect(assembly, cotangents, copy);
 	return defects;
 }
 

@@ -26,6 +26,14 @@ struct TriangleFrame {
 	double angle(int corner) const { return std::atan2(normal.norm(), cotangentTimesDoubleArea(corner)); }
 };
 
+/// The cotangents of a triangle's three corners.
+inline Eigen::Vector3d cotangents(const TriangleFrame& frame) {
+	const double inverseDoubleArea = 1 / frame.normal.norm();
+	return inverseDoubleArea * Eigen::Vector3d(frame.cotangentTimesDoubleArea(0),
+											   frame.cotangentTimesDoubleArea(1),
+											   frame.cotangentTimesDoubleArea(2));
+}
+
 /// The vectors r_k = n × e_k / |e_k|², with n the unit normal. A corner's angle θ_i grows by r_j + r_k when
 /// p_i moves, by −r_k when p_j moves and by −r_j when p_k moves: nine gradients from three vectors.
 struct AngleGradients {
