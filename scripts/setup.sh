@@ -13,7 +13,7 @@ all_targets=(meshlab-2020.09 pymeshlab-2022.2 pymeshlab-2025.7 meshlab-2025.07 t
 
 build_packages=(g++ cmake ninja-build libeigen3-dev qtbase5-dev libqt5opengl5-dev libgl-dev libglew-dev)
 # What the stock programs and the wheels expect of a desktop.
-run_packages=(libgl1 libglu1-mesa libegl1 libopengl0 libxrender1 libfontconfig1)
+run_packages=(libgl1 libglu1-mesa libegl1 libopengl0 libxrender1 libxcursor1 libfontconfig1)
 
 # provide_host TARGET: packages, Python environment and headers
 provide_host() {

@@ -3,7 +3,9 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck disable=SC2034 # for those who source this
 build_root=$root/build
+# shellcheck disable=SC2034
 cache_root=${XDG_CACHE_HOME:-$HOME/.cache}/developable # as in cmake/MeshLabHost.cmake
 
 say() { printf -- '-- %s\n' "$*"; }

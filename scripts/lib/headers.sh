@@ -27,12 +27,14 @@ archive_addresses() {
 		sed -nE "s#^'(.*)/dists/($codename|stable|oldstable)/InRelease' .*#\1#p" | awk '!seen[$0]++'
 }
 
-# private_apt FOLDER COMMAND...: an apt command that knows only the sources in FOLDER/sources.list
+# private_apt FOLDER COMMAND...: an apt command that knows only the sources in FOLDER/sources.list. An old index will do: the
+# tarball in it is pinned.
 private_apt() {
 	local folder=$1 command=$2
 	shift 2
 	"$command" -q -o Dir::Etc::sourcelist="$folder/sources.list" -o Dir::Etc::sourceparts=/dev/null \
-		-o Dir::State::lists="$folder/lists" -o Dir::Cache="$folder/cache" -o APT::Sandbox::User=root "$@"
+		-o Dir::State::lists="$folder/lists" -o Dir::Cache="$folder/cache" -o APT::Sandbox::User=root \
+		-o Acquire::Check-Valid-Until=false -o Acquire::Check-Date=false "$@"
 }
 
 # source_version FOLDER SHA256: the version of the source package meshlab that the tarball belongs to; nothing when unknown
