@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can go wrong, as exceptions whose text a user can act on."""
+
+
+class DevelopableError(Exception):
+    """Base of all errors of this package."""
+
+
+class PluginNotFoundError(DevelopableError, ImportError):
+    """No build of the plugin fits the running pymeshlab."""
+
+
+class InvalidParameterError(DevelopableError, ValueError):
+    """A parameter that the method has not, or a value that it does not take."""
+
+
+class InvalidMeshError(DevelopableError, ValueError):
+    """Arrays that do not describe a triangle mesh."""
+
+
+class FilterError(DevelopableError, RuntimeError):
+    """The filter refused the mesh or the parameters; the text is its own."""

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the filters report, typed. Field names are the keys of the filters' results."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+from collections.abc import Mapping
+from typing import Any, Self
+
+
+class Status(enum.IntEnum):
+    """Why an optimisation ended; `text` says it in words."""
+
+    CONVERGED = 0
+    STALLED = 1
+    LIMIT_REACHED = 2
+    NEEDS_CUT = 3
+    STOPPED = 4
+    NOTHING_TO_DO = 5
+
+    @property
+    def text(self) -> str:
+        """The status in words."""
+        return _STATUS_TEXTS[self]
+
+
+_STATUS_TEXTS = {
+    Status.CONVERGED: "converged: every vertex is a developable point within the tolerance",
+    Status.STALLED: "stalled: the method makes no more progress, and the surface is not developable yet",
+    Status.LIMIT_REACHED: "stopped at the limit of iterations or operations, not developable yet",
+    Status.NEEDS_CUT: "no developable shape is near: a patch needs a cut",
+    Status.STOPPED: "stopped by the user; the mesh is unchanged",
+    Status.NOTHING_TO_DO: "nothing to do: the surface was developable within the tolerance already",
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class _Report:
+    @classmethod
+    def from_values(cls, values: Mapping[str, Any]) -> Self:
+        """From the dictionary that the filter returned, which must have every key."""
+        return cls(**{field.name: values[field.name] for field in dataclasses.fields(cls)})
+
+
+@dataclasses.dataclass(frozen=True)
+class Measures(_Report):
+    """How developable a mesh is."""
+
+    patches: int
+    assembling_vertices: int  # places where patches meet
+    interior_vertices: int  # vertex copies
+    developability: float  # D, Eq. 2: share of the area, 0 to 1
+    detect_function: float  # G, Eq. 4, rad²
+    max_angle_defect: float  # rad
+    total_absolute_curvature: float  # C, rad
+
+
+@dataclasses.dataclass(frozen=True)
+class OptimizationReport(_Report):
+    """What an optimisation did. Lengths are in the mesh's unit."""
+
+    patches: int
+    assembling_vertices: int  # places where patches meet
+    interior_vertices: int  # vertex copies
+    developability_before: float  # D, Eq. 2: share of the area, 0 to 1
+    developability_after: float
+    detect_function_before: float  # G, Eq. 4, rad²
+    detect_function_after: float
+    max_angle_defect_before: float  # rad
+    max_angle_defect_after: float
+    total_absolute_curvature_before: float  # C, rad
+    total_absolute_curvature_after: float
+    total_absolute_curvature_before_rounding: float
+    deformation_energy: float  # E, Eq. 7, length²
+    max_displacement: float
+    mean_displacement: float
+    max_distance: float  # to the original surface
+    iterations: int  # of the local method: operations attempted
+    converged: bool
+    status: Status
+    seconds: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "status", Status(self.status))
+
+
+@dataclasses.dataclass(frozen=True)
+class LocalReport(OptimizationReport):
+    """What the local method adds."""
+
+    set_aside: int  # vertices that nothing could be done for
+    refused_moves: int
+    roughness_before: float  # root mean square angle between neighbouring faces, rad
+    roughness_after: float
