@@ -16,7 +16,10 @@ declare -A tarball_suites=(
 	[2022.02]="trixie"
 	[2025.07]="sid forky"
 )
-header_folders=(src/common src/common_gui src/vcglib/vcg src/vcglib/wrap vcglib/vcg vcglib/wrap)
+# What is kept of a tree: what a plugin includes; of the newest release also what its own build system needs to take our
+# plugin in (tests/build_system).
+kept_paths=(ML_VERSION LICENSE.txt {src/,}vcglib/{vcg,wrap} src/common{,_gui})
+build_system_paths=(CMakeLists.txt src/CMakeLists.txt src/cmake src/external src/vcglib/CMakeLists.txt)
 
 # archive_addresses: of the archives that the machine takes Debian itself from. apt knows its own sources, in whatever
 # format they are written, and prints them even before the first update.
@@ -68,17 +71,17 @@ fetch_tarball() {
 
 # unpack_headers RELEASE FOLDER: what a plugin needs of the tarball in FOLDER, to its place in the cache
 unpack_headers() {
-	local release=$1 folder=$2 name
+	local release=$1 folder=$2 name names=("${kept_paths[@]}")
+	if [[ $release == 2025.07 ]]; then names+=("${build_system_paths[@]}"); fi
 	mkdir "$folder/tree"
 	tar -xf "$folder"/*.orig.tar.* -C "$folder/tree" --strip-components=1
 	mkdir "$folder/kept"
-	for name in ML_VERSION LICENSE.txt "${header_folders[@]}"; do
+	for name in "${names[@]}"; do
 		if [[ -e $folder/tree/$name ]]; then
 			mkdir -p "$(dirname "$folder/kept/$name")"
 			mv "$folder/tree/$name" "$folder/kept/$name"
 		fi
 	done
-	find "$folder/kept" -name '*.cpp' -path '*/src/common*' -delete
 	# Another set-up may have been quicker.
 	mv -T "$folder/kept" "$cache_root/meshlab-$release" || [[ -f $cache_root/meshlab-$release/ML_VERSION ]]
 }

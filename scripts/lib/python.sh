@@ -13,21 +13,24 @@ find_python() {
 	return 1
 }
 
-# fill_environment FOLDER REQUIREMENTS: a new environment with the requirements and, where it is there, our own package
-fill_environment() {
+# make_environment FOLDER REQUIREMENTS
+make_environment() {
 	local folder=$1 requirements=$2 python
 	python=$(find_python) || { install_packages python3.11-venv && python=$(find_python); } ||
 		fail "no Python 3.11 with the venv module was found"
 	say "making $(basename "$folder")"
 	"$python" -m venv --clear "$folder"
-	local packages=(-r "$requirements")
-	if [[ -f $root/python/pyproject.toml ]]; then packages+=(-e "$root/python"); fi
-	"$folder/bin/python" -m pip install --quiet --disable-pip-version-check "${packages[@]}"
+	"$folder/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements"
+}
+
+# install_package FOLDER: our own package, such that an edit of it shows at once
+install_package() {
+	"$1/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps -e "$root/python"
 }
 
 # provide_environment FOLDER REQUIREMENTS
 provide_environment() {
 	local folder=$1 requirements=$2
-	once "$folder/.complete" "$(checksum "$requirements" "$root/python/pyproject.toml") $root" \
-		fill_environment "$folder" "$requirements"
+	once "$folder/.requirements" "$(checksum "$requirements") $root" make_environment "$folder" "$requirements"
+	once "$folder/.package" "$(checksum "$root/python/pyproject.toml") $root" install_package "$folder"
 }
