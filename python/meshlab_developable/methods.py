@@ -65,8 +65,8 @@ def make_developable(
     the constrained Newton method) or "local" (Section 5). Parameters are those of the filters Global and
     Local Developability; lengths are plain numbers in the mesh's unit. The arrays given are not changed.
 
-    Not converging is no error: see `report.status`. Raises InvalidMeshError, InvalidParameterError, FilterError and
-    what `load` raises.
+    Not converging is no error: see `report.status`. Raises InvalidMeshError, InvalidParameterError,
+    FilterError and what `load` raises.
     """
     if method not in _METHODS:
         raise InvalidParameterError(

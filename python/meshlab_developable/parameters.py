@@ -117,8 +117,8 @@ MEASURE: dict[str, Kind] = {**_SHARED, "angle_tolerance": number, "map": choice(
 def convert(parameters: Mapping[str, Any], kinds: Mapping[str, Kind], method: str) -> dict[str, Any]:
     """The parameters as pymeshlab's filters take them.
 
-    Raises InvalidParameterError for a name that the method has not, naming the nearest, and for a value that it
-    does not take, saying what would do.
+    Raises InvalidParameterError for a name that the method has not, naming the nearest, and for a value that
+    it does not take, saying what would do.
     """
     converted = {}
     for name, value in parameters.items():

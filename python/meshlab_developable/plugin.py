@@ -60,7 +60,7 @@ def plugin_folders() -> list[Path]:
 
 
 def find_plugin(version: str, folders: Sequence[Path]) -> Path:
-    """The build for a version of pymeshlab. Raises PluginNotFoundError, naming the versions that there are."""
+    """The build for a version of pymeshlab. Raises PluginNotFoundError, naming the versions there are."""
     builds = {
         match[1]: path
         for folder in reversed(folders)

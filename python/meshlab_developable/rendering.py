@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of maps on shapes, off screen, with a scale. Needs the extra `render`.
+
+Shapes are drawn by VTK (through pyvista), titles and scale by matplotlib. Colour maps are perceptually
+uniform and safe for the colour-blind, and light where the value is 0, so that the shape stays visible:
+magma reversed for maps that start at 0, a diverging one for signed maps.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.integer[Any]]
+
+PICTURE_SIZE = 640, 560  # pixels
+
+
+@dataclasses.dataclass(frozen=True)
+class ColourScale:
+    """What the first and the last colour stand for, and what is written beside them."""
+
+    label: str  # with the unit
+    low: float
+    high: float
+    signed: bool
+
+
+@dataclasses.dataclass(frozen=True)
+class Picture:
+    """A triangle mesh with a value a vertex, and a title."""
+
+    title: str
+    vertices: Array  # n x 3
+    faces: IndexArray  # m x 3
+    values: Array  # n
+
+
+@dataclasses.dataclass(frozen=True)
+class View:
+    """From where to look: a vector from the shape to the eye, and the direction that is up."""
+
+    eye: tuple[float, float, float] = (1.0, -2.0, 1.0)
+    up: tuple[float, float, float] = (0.0, 0.0, 1.0)
+
+
+def robust_scale(label: str, values: Iterable[Array], signed: bool, share: float = 0.98) -> ColourScale:
+    """The scale that shows a share of the absolute values in full; the few beyond it take the last colour.
+
+    Give the values of every picture that is to be compared. Values that are all 0 get a scale up to 1.
+    """
+    magnitudes = np.abs(np.concatenate([np.ravel(v) for v in values]))
+    magnitudes = magnitudes[magnitudes > 0]
+    high = float(np.quantile(magnitudes, share)) if magnitudes.size else 1.0
+    return ColourScale(label, -high if signed else 0.0, high, signed)
+
+
+def render(path: Path, pictures: Sequence[Picture], scale: ColourScale, view: View | None = None) -> None:
+    """Write the pictures side by side, all with the same eye and the same scale, to a PNG."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
+
+    colours = _colour_map(scale)
+    images = [_draw(picture, pictures, scale, colours, view or View()) for picture in pictures]
+    width, height = PICTURE_SIZE
+    dots = 100
+    figure = Figure(figsize=(width * len(pictures) / dots, (height + 110) / dots), dpi=dots)
+    axes = figure.subplots(1, len(pictures), squeeze=False)[0]
+    figure.subplots_adjust(left=0, right=1, bottom=80 / (height + 110), top=1 - 30 / (height + 110), wspace=0)
+    for axis, picture, image in zip(axes, pictures, images, strict=True):
+        axis.imshow(image)
+        axis.set_axis_off()
+        axis.set_title(picture.title, fontsize=13)
+    bar = figure.add_axes((0.25, 52 / (height + 110), 0.5, 16 / (height + 110)))
+    figure.colorbar(
+        ScalarMappable(Normalize(scale.low, scale.high), colours),
+        cax=bar,
+        orientation="horizontal",
+        extend="both" if scale.signed else "max",
+        label=scale.label,
+        format="%.3g",
+    )
+    figure.savefig(path)
+
+
+def _colour_map(scale: ColourScale) -> Any:
+    from matplotlib import colormaps
+    from matplotlib.colors import ListedColormap
+
+    if scale.signed:
+        return colormaps["coolwarm"]
+    # Without magma's last, almost black tenth: shading must show on the darkest colour too.
+    return ListedColormap(colormaps["magma_r"](np.linspace(0.0, 0.9, 256)), "magma_r to 0.9")
+
+
+def _draw(
+    picture: Picture, together: Sequence[Picture], scale: ColourScale, colours: Any, view: View
+) -> npt.NDArray[np.uint8]:
+    """One shape without text, framed so that all the pictures' shapes would fit."""
+    if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
+    import pyvista
+
+    surface = pyvista.PolyData.from_regular_faces(picture.vertices, picture.faces)
+    surface.point_data["values"] = picture.values
+    plotter = pyvista.Plotter(off_screen=True, window_size=PICTURE_SIZE)
+    plotter.set_background("white")
+    plotter.enable_anti_aliasing("ssaa")
+    plotter.add_mesh(
+        surface,
+        scalars="values",
+        cmap=colours,
+        clim=(scale.low, scale.high),
+        show_scalar_bar=False,
+        smooth_shading=True,
+        split_sharp_edges=True,
+        ambient=0.3,
+        diffuse=0.75,
+    )
+    borders = surface.extract_feature_edges(
+        boundary_edges=True, feature_edges=False, manifold_edges=False, non_manifold_edges=False
+    )
+    if borders.n_points:
+        plotter.add_mesh(borders, color="#404040", line_width=2)
+    _aim(plotter, np.concatenate([p.vertices for p in together]), view)
+    image = np.array(plotter.screenshot(None, return_img=True))
+    plotter.close()
+    return image
+
+
+def _aim(plotter: Any, points: Array, view: View) -> None:
+    """Look at the points from the view's direction, in parallel projection, so that they just fit."""
+    eye = np.array(view.eye) / np.linalg.norm(view.eye)
+    right = np.cross(view.up, eye)
+    right /= np.linalg.norm(right)
+    up = np.cross(eye, right)
+    across, along = points @ right, points @ up
+    centre = (
+        (across.min() + across.max()) / 2 * right
+        + (along.min() + along.max()) / 2 * up
+        + (points @ eye).mean() * eye
+    )
+    width, height = PICTURE_SIZE
+    camera = plotter.camera
+    camera.parallel_projection = True
+    camera.focal_point = centre
+    camera.position = centre + eye * 2 * np.ptp(points, axis=0).max()
+    camera.up = up
+    camera.parallel_scale = 1.06 * max(np.ptp(along), np.ptp(across) * height / width) / 2
+    plotter.renderer.ResetCameraClippingRange()
