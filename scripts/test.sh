@@ -48,6 +48,7 @@ export root build_root
 run_check "format of C++" check_cpp_format
 run_check "lint of Python" check_python_lint
 run_check "format of Python" check_python_format
+run_check "types of Python" check_python_types
 run_check "lint of shell" check_shell
 run_check "clang-tidy" check_cpp_tidy
 

@@ -30,4 +30,5 @@ check_cpp_tidy() {
 
 check_python_lint() { "$root/.venv/bin/ruff" check --quiet "$root"; }
 check_python_format() { "$root/.venv/bin/ruff" format --check "$root"; }
+check_python_types() { (cd "$root/python" && "$root/.venv/bin/mypy" --no-error-summary); }
 check_shell() { shellcheck "$root"/scripts/*.sh "$root"/scripts/lib/*.sh "$root/.ci/run"; }
