@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// filter_call.h: what a filter gets from the host when it runs.
+#pragma once
+
+#include "parameter_values.h"
+
+#include "developable/progress.h"
+
+#include <functional>
+#include <string>
+
+namespace developable::plugin {
+
+class Layer;
+
+struct FilterCall {
+	Layer& layer; ///< the current one
+	ParameterValues values;
+	Progress progress;
+	std::function<void(const std::string& line)> log;
+};
+
+} // namespace developable::plugin

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// filter_description.h: a filter as every host shows it, described once: names, help, parameters, what it
+// runs.
+#pragma once
+
+#include "filter_call.h"
+#include "results.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace developable::plugin {
+
+enum class ParameterType { Bool, Int, Float, Length, Enumeration, Mesh };
+
+/// One parameter of a dialog and of scripts.
+struct Parameter {
+	std::string name; ///< in scripts
+	ParameterType type = ParameterType::Bool;
+	double defaultValue =
+		0;               ///< bool: 0 or 1; enumeration: the index; mesh: not used, the current layer is meant
+	std::string label;   ///< in the dialog
+	std::string tooltip; ///< one sentence or two
+	double minimum =
+		-std::numeric_limits<double>::infinity(); ///< the least value allowed, where it is a number
+	std::vector<std::string> values = {};         ///< of an enumeration; their order is fixed
+	bool offWhenColoured = false; ///< a bool whose default is false on a mesh that has vertex colours
+};
+
+/// The menu that a filter is found in.
+enum class FilterClass { Smoothing, Quality };
+
+/// What a filter changes when it succeeds.
+enum class Change { Positions, Scalars };
+
+struct FilterDescription {
+	std::string name;       ///< in menus and in .mlx scripts
+	std::string pythonName; ///< in pymeshlab
+	FilterClass filterClass = FilterClass::Smoothing;
+	Change change = Change::Positions;
+	std::string help; ///< simple HTML
+	std::vector<Parameter> parameters;
+	Results (*run)(FilterCall& call) = nullptr; ///< throws an exception when the input can't be worked on
+};
+
+} // namespace developable::plugin

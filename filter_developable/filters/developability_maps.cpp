@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// developability_maps.cpp: the filter Developability Maps (Sections 3 and 6).
+#include "../layer.h"
+#include "../map_output.h"
+#include "../reference_shape.h"
+#include "../shared_parameters.h"
+#include "filters.h"
+
+#include "developable/exceptions.h"
+#include "developable/mesh_reader.h"
+#include "developable/surface_distance.h"
+
+namespace developable::plugin {
+
+namespace {
+
+struct ComputedMap {
+	Map map;
+	Eigen::VectorXd values; ///< per place
+};
+
+/// All maps that can be made.
+std::vector<ComputedMap> computeMaps(const PatchAssembly& assembly,
+									 const std::optional<ReferenceShape>& reference) {
+	const Positions& positions = assembly.originalPositions;
+	std::vector<ComputedMap> maps = {
+		{Map::GaussianMap, gaussianMap(assembly, positions)},
+		{Map::AngleDefect, angleDefectMap(assembly, positions)},
+		{Map::GaussianCurvature, gaussianCurvatureMap(assembly, positions)},
+	};
+	if (reference)
+		maps.push_back(
+			{Map::Distance, distancesToSurface(positions, reference->vertices, reference->triangles)});
+	if (reference && reference->places)
+		maps.push_back({Map::Displacement, displacementMap(*reference->places, positions)});
+	return maps;
+}
+
+[[noreturn]] void refuseWithoutReference(Map map, bool hasReference) {
+	const std::string title = propertiesOf(map).title;
+	if (hasReference)
+		throw MissingAttribute(
+			"The map '" + title +
+			"' needs a reference with as many vertices as this mesh: choose such a layer as "
+			"'reference', or the map 'Distance'.");
+	throw MissingAttribute(
+		"The map '" + title +
+		"' needs the shape before an optimisation, and this mesh has no attribute "
+		"'original_position': run Global or Local Developability first, or choose another layer "
+		"as 'reference'.");
+}
+
+const ComputedMap& find(const std::vector<ComputedMap>& maps, Map chosen, bool hasReference) {
+	for (const ComputedMap& computed : maps)
+		if (computed.map == chosen)
+			return computed;
+	refuseWithoutReference(chosen, hasReference);
+}
+
+Results measures(const PatchAssembly& assembly, double angleTolerance) {
+	const Measures measured = measure(assembly, assembly.originalPositions, angleTolerance);
+	return {
+		{"patches", assembly.patchCount(), ""},
+		{"assembling_vertices", assembly.assemblingPlaceCount(), ""},
+		{"interior_vertices", assembly.interiorCopyCount(), ""},
+		{"developability", measured.developability, ""},
+		{"detect_function", measured.detectFunction, ""},
+		{"max_angle_defect", measured.maxAngleDefect, ""},
+		{"total_absolute_curvature", measured.totalAbsoluteCurvature, ""},
+	};
+}
+
+Results run(FilterCall& call) {
+	const Map chosen = chosenMap(call.values);
+	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
+	const std::optional<ReferenceShape> reference = referenceShape(call, assembly);
+	const std::vector<ComputedMap> maps = computeMaps(assembly, reference);
+	const ComputedMap& shown = find(maps, chosen, reference.has_value());
+	Results results = measures(assembly, call.values.number("angle_tolerance"));
+	for (const ComputedMap& computed : maps)
+		writeMap(call, assembly, computed.map, computed.values);
+	showMap(call, assembly, shown.map, shown.values);
+	return results;
+}
+
+Parameter referenceParameter() {
+	Parameter parameter;
+	parameter.name = "reference";
+	parameter.type = ParameterType::Mesh;
+	parameter.label = "Reference";
+	parameter.tooltip =
+		"The layer that the maps Distance (Fig. 8) and Displacement are measured from; the current "
+		"layer means the shape that its last optimisation started from.";
+	return parameter;
+}
+
+} // namespace
+
+FilterDescription developabilityMaps() {
+	FilterDescription filter;
+	filter.name = "Developability Maps";
+	filter.pythonName = "compute_scalar_by_developability_per_vertex";
+	filter.filterClass = FilterClass::Quality;
+	filter.change = Change::Scalars;
+	filter.help =
+		"Shows where the panels of a layer are not <b>developable</b>, that is, where they can't be laid "
+		"flat without "
+		"strain, and how far an optimisation has moved them. The chosen map goes to the vertex quality, all "
+		"maps go "
+		"to custom attributes of the vertices. Where a vertex has a value in several patches the largest is "
+		"shown.<br><br>"
+		"The log says how developable the surface is: D, the share of its area that is developable (Eq. 2), "
+		"G, the "
+		"sum of squared angle defects (Eq. 4), the largest angle defect, and C, the total absolute "
+		"curvature, which "
+		"unlike D does not depend on how fine the mesh is.<br><br>"
+		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
+		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
+		"Sections 3 and 6.";
+	filter.parameters = {
+		patchesParameter(),        weldDistanceParameter(),
+		angleToleranceParameter(), mapParameter({"Elastic energy"}),
+		referenceParameter(),      colorizeParameter(),
+	};
+	filter.run = run;
+	return filter;
+}
+
+} // namespace developable::plugin

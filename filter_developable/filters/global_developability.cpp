@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// global_developability.cpp: the filter Global Developability (Section 4).
+#include "../optimize_layer.h"
+#include "../shared_parameters.h"
+#include "filters.h"
+
+#include "developable/penalty_method.h"
+
+namespace developable::plugin {
+
+namespace {
+
+/// In the order of the `solver` enumeration.
+enum class Solver { ConstrainedNewton, ConjugateGradient };
+
+Results run(FilterCall& call) {
+	if (call.values.choice<Solver>("solver") == Solver::ConstrainedNewton)
+		refuseNotYet("The solver 'Constrained Newton'", "'Conjugate gradient'");
+	PenaltyMethodOptions options;
+	options.angleTolerance = call.values.number("angle_tolerance");
+	options.relativeChange = call.values.number("relative_change");
+	options.maxIterations = call.values.integer("max_iterations");
+	const Method method = [&options](const PatchAssembly& assembly, Positions& positions,
+									 const Progress& progress) {
+		return penaltyMethod(assembly, positions, options, progress);
+	};
+	return optimizeLayer(call, method).results;
+}
+
+} // namespace
+
+FilterDescription globalDevelopability() {
+	FilterDescription filter;
+	filter.name = "Global Developability";
+	filter.pythonName = "apply_coord_global_developability";
+	filter.filterClass = FilterClass::Smoothing;
+	filter.change = Change::Positions;
+	filter.help =
+		"Makes each panel of the layer as <b>developable</b> as it can be made, so that it can be cut from a "
+		"flat "
+		"sheet, while the surface moves as little as possible and seams stay closed. All vertices move "
+		"together, "
+		"which keeps the surface smooth.<br><br>"
+		"The conjugate gradient solver minimises the change of all edge lengths plus a penalty on the detect "
+		"function G, the sum of squared angle defects (Eq. 7 and 9). The log says how developable the "
+		"surface was "
+		"and is: D, the share of its area that is developable, G, and C, the total absolute curvature, which "
+		"unlike "
+		"D does not depend on how fine the mesh is. Closed surfaces must be cut first.<br><br>"
+		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
+		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
+		"Section 4.";
+	filter.parameters = {
+		enumeration(
+			"solver", {"Constrained Newton", "Conjugate gradient"}, 1, "Solver",
+			"How the shape is found: by Newton steps that hold the angle defects at zero, which does not "
+			"work "
+			"yet in this version, or by the paper's conjugate gradients with a penalty (Section 4.1)."),
+		patchesParameter(),
+		weldDistanceParameter(),
+		onlySelectedParameter(),
+		fixBoundaryParameter(),
+		fixSelectedParameter(),
+		angleToleranceParameter(),
+		floatParameter(
+			"curvature_tolerance", 1e-4, 0, "Curvature tolerance (rad)",
+			"Constrained Newton only: a patch is developable when the absolute angle defects of all its "
+			"vertices add up to no more than this."),
+		intParameter("max_iterations", 200, 0, "Largest number of iterations",
+					 "The run ends after so many steps at the latest; the paper's N_max (Section 4.1)."),
+		floatParameter(
+			"relative_change", 1e-4, 0, "Least relative change",
+			"Conjugate gradient only: the run ends when a step changes the detect function by less than "
+			"this share of its first value; the paper's eta of 0.01 % (Section 4.1)."),
+		floatParameter(
+			"smoothness", 1, 0, "Smoothness",
+			"Constrained Newton only: how much weight bending has against distance; larger values give "
+			"fewer wrinkles and move the surface more."),
+		mapParameter(),
+		colorizeParameter(),
+	};
+	filter.run = run;
+	return filter;
+}
+
+} // namespace developable::plugin

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// layer.h: a mesh of the host's document, as filters see it.
+#pragma once
+
+#include "host.h"
+
+namespace developable::plugin {
+
+class Layer {
+public:
+	explicit Layer(MeshModel& model) : model_(model) {}
+
+	CMeshO& mesh() { return model_.cm; }
+	const CMeshO& mesh() const { return model_.cm; }
+
+	/// To be called once after positions were written.
+	void positionsChanged() { host::updateBoxAndNormals(model_); }
+
+	void enableVertexQuality() { model_.updateDataMask(MeshModel::MM_VERTQUALITY); }
+	void enableVertexColours() { model_.updateDataMask(MeshModel::MM_VERTCOLOR); }
+
+private:
+	MeshModel& model_;
+};
+
+} // namespace developable::plugin

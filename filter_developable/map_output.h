@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// map_output.h: computes the map that the user chose and shows it on the layer.
+#pragma once
+
+#include "filter_call.h"
+
+#include "developable/maps.h"
+
+namespace developable::plugin {
+
+/// The map that the call asks for.
+/// \throws InvalidParameter  when it does not work yet in this version
+Map chosenMap(const ParameterValues& values);
+
+/// True for the maps that are of one shape, whatever it was before.
+bool needsOriginal(Map map);
+
+/// A map of the shape that `positions` make, per place. Distance and Displacement are measured from
+/// `original`. \param original  3 x places; the original surface has the same triangles
+Eigen::VectorXd mapValues(Map map, const PatchAssembly& assembly, const Positions& positions,
+						  const Positions& original);
+
+/// Writes a map to its custom attribute.
+void writeMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eigen::VectorXd& values);
+
+/// Writes a map to the vertex quality and, where that is asked for, the colours, and logs its range.
+void showMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eigen::VectorXd& values);
+
+} // namespace developable::plugin

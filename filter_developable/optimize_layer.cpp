@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// optimize_layer.cpp: read, optimise, round, measure, write back once.
+#include "optimize_layer.h"
+
+#include "layer.h"
+#include "map_output.h"
+#include "shared_parameters.h"
+#include "vertex_data.h"
+
+#include "developable/elastic_energy.h"
+#include "developable/mesh_reader.h"
+#include "developable/surface_distance.h"
+
+#include <chrono>
+
+namespace developable::plugin {
+
+namespace {
+
+/// What the log says of the status: never D without C, as D says little on fine meshes.
+std::string statusInWords(Status status, const Measures& before, const Measures& after,
+						  double angleTolerance) {
+	std::string words = describe(status) + "; D: " + formatted(100 * after.developability, 4) +
+						" % of the area is developable within " + formatted(angleTolerance, 4) +
+						" rad; C: " + formatted(after.totalAbsoluteCurvature, 4) +
+						" rad of total absolute curvature is left of " +
+						formatted(before.totalAbsoluteCurvature, 4);
+	// A flattened panel is strained by up to a third of C: beyond a thousandth that shows.
+	if (converged(status) && after.totalAbsoluteCurvature > 3e-3)
+		words += "; every vertex passes, but they add up: lower angle_tolerance to come nearer to a "
+				 "developable shape";
+	return words;
+}
+
+void addMeasures(Results& results, const Measures& before, const Measures& after) {
+	results.push_back({"developability_before", before.developability, ""});
+	results.push_back({"developability_after", after.developability, ""});
+	results.push_back({"detect_function_before", before.detectFunction, ""});
+	results.push_back({"detect_function_after", after.detectFunction, ""});
+	results.push_back({"max_angle_defect_before", before.maxAngleDefect, ""});
+	results.push_back({"max_angle_defect_after", after.maxAngleDefect, ""});
+	results.push_back({"total_absolute_curvature_before", before.totalAbsoluteCurvature, ""});
+	results.push_back({"total_absolute_curvature_after", after.totalAbsoluteCurvature, ""});
+}
+
+void addChanges(Results& results, const PatchAssembly& assembly, const Positions& positions) {
+	const Positions& original = assembly.originalPositions;
+	const Eigen::VectorXd displacements = displacementMap(original, positions);
+	const Eigen::VectorXd distances = distancesToSurface(positions, original, assembly.trianglePlaces);
+	results.push_back({"patches", assembly.patchCount(), ""});
+	results.push_back({"assembling_vertices", assembly.assemblingPlaceCount(), ""});
+	results.push_back({"interior_vertices", assembly.interiorCopyCount(), ""});
+	results.push_back(
+		{"deformation_energy", elasticEnergy(assembly, positions, edgeLengths(assembly, original)), ""});
+	results.push_back({"max_displacement", displacements.maxCoeff(), ""});
+	results.push_back({"mean_displacement", displacements.mean(), ""});
+	results.push_back({"max_distance", distances.maxCoeff(), ""});
+}
+
+void write(FilterCall& call, const PatchAssembly& assembly, const Positions& positions) {
+	const Map map = chosenMap(call.values);
+	const Eigen::VectorXd values = mapValues(map, assembly, positions, assembly.originalPositions);
+	CMeshO& mesh = call.layer.mesh();
+	writePointAttribute(mesh, "original_position", assembly, assembly.originalPositions);
+	writePositions(mesh, assembly, positions);
+	call.layer.positionsChanged();
+	writeMap(call, assembly, map, values);
+	showMap(call, assembly, map, values);
+}
+
+} // namespace
+
+Optimized optimizeLayer(FilterCall& call, const Method& method) {
+	const auto start = std::chrono::steady_clock::now();
+	chosenMap(call.values); // a map that does not work is better refused before a long run
+	const double angleTolerance = call.values.number("angle_tolerance");
+	Optimized result;
+	result.assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
+	const PatchAssembly& assembly = result.assembly;
+	requireOpenPatches(assembly);
+
+	result.positions = assembly.originalPositions;
+	const OptimizationReport report = method(assembly, result.positions, call.progress);
+	const Measures before = measure(assembly, assembly.originalPositions, angleTolerance);
+	const Measures unrounded = measure(assembly, result.positions, angleTolerance);
+	if (report.status != Status::Stopped)
+		result.positions = rounded<host::Scalar>(result.positions);
+	const Measures after = measure(assembly, result.positions, angleTolerance);
+
+	Results& results = result.results;
+	addMeasures(results, before, after);
+	results.push_back({"total_absolute_curvature_before_rounding", unrounded.totalAbsoluteCurvature, ""});
+	addChanges(results, assembly, result.positions);
+	results.push_back({"iterations", static_cast<int>(report.iterations), ""});
+	results.push_back({"converged", converged(report.status), ""});
+	results.push_back({"status", static_cast<int>(report.status),
+					   statusInWords(report.status, before, after, angleTolerance)});
+	if (report.status != Status::Stopped)
+		write(call, assembly, result.positions);
+	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+	results.push_back({"seconds", elapsed.count(), ""});
+	return result;
+}
+
+} // namespace developable::plugin

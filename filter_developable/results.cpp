@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// results.cpp: how results read in the log.
+#include "results.h"
+
+#include <array>
+#include <charconv>
+
+namespace developable::plugin {
+
+namespace {
+
+std::string inWords(bool value) {
+	return value ? "true" : "false";
+}
+
+std::string inWords(int value) {
+	return std::to_string(value);
+}
+
+std::string inWords(double value) {
+	return formatted(value);
+}
+
+} // namespace
+
+std::string formatted(double number, int digits) {
+	std::array<char, 32> text;
+	const auto end =
+		std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits).ptr;
+	return std::string(text.data(), end);
+}
+
+std::string logLine(const Result& result) {
+	const std::string value = std::visit([](auto number) { return inWords(number); }, result.value);
+	return result.key + ": " + (result.words.empty() ? value : result.words);
+}
+
+} // namespace developable::plugin

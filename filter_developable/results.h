@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// results.h: the numbers that a filter returns, in order, and how they read in the log.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace developable::plugin {
+
+/// Hosts hand these three types on to scripts; others they drop.
+using ResultValue = std::variant<bool, int, double>;
+
+struct Result {
+	std::string key;
+	ResultValue value;
+	std::string words; ///< what the log says in place of the value, where that is clearer
+};
+
+using Results = std::vector<Result>;
+
+/// A number as short as so many digits allow, with a point whatever the user's locale.
+std::string formatted(double number, int digits = 9);
+
+/// "key: value".
+std::string logLine(const Result& result);
+
+} // namespace developable::plugin

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// shared_parameters.cpp: labels, tooltips and defaults of the parameters that several filters share.
+#include "shared_parameters.h"
+
+#include "developable/exceptions.h"
+
+namespace developable::plugin {
+
+Parameter boolParameter(std::string name, bool defaultValue, std::string label, std::string tooltip) {
+	Parameter parameter;
+	parameter.name = std::move(name);
+	parameter.type = ParameterType::Bool;
+	parameter.defaultValue = defaultValue;
+	parameter.label = std::move(label);
+	parameter.tooltip = std::move(tooltip);
+	return parameter;
+}
+
+Parameter intParameter(std::string name, int defaultValue, int minimum, std::string label,
+					   std::string tooltip) {
+	Parameter parameter = boolParameter(std::move(name), false, std::move(label), std::move(tooltip));
+	parameter.type = ParameterType::Int;
+	parameter.defaultValue = defaultValue;
+	parameter.minimum = minimum;
+	return parameter;
+}
+
+Parameter floatParameter(std::string name, double defaultValue, double minimum, std::string label,
+						 std::string tooltip) {
+	Parameter parameter = boolParameter(std::move(name), false, std::move(label), std::move(tooltip));
+	parameter.type = ParameterType::Float;
+	parameter.defaultValue = defaultValue;
+	parameter.minimum = minimum;
+	return parameter;
+}
+
+Parameter enumeration(std::string name, std::vector<std::string> values, int defaultIndex, std::string label,
+					  std::string tooltip) {
+	Parameter parameter = boolParameter(std::move(name), false, std::move(label), std::move(tooltip));
+	parameter.type = ParameterType::Enumeration;
+	parameter.defaultValue = defaultIndex;
+	parameter.values = std::move(values);
+	return parameter;
+}
+
+Parameter lengthParameter(std::string name, double defaultValue, std::string label, std::string tooltip) {
+	Parameter parameter =
+		floatParameter(std::move(name), defaultValue, 0, std::move(label), std::move(tooltip));
+	parameter.type = ParameterType::Length;
+	return parameter;
+}
+
+Parameter automaticLength(std::string name, std::string label, std::string tooltip) {
+	Parameter parameter = lengthParameter(std::move(name), -1, std::move(label), std::move(tooltip));
+	parameter.minimum = -std::numeric_limits<double>::infinity();
+	return parameter;
+}
+
+Parameter patchesParameter() {
+	return enumeration(
+		"patches", {"Connected components", "Face colour", "Texture islands", "Face quality"}, 0, "Patches",
+		"What separates the patches, the panels that are each made developable while they stay sewn "
+		"together (Wang and Tang 2004, Section 3.1): nothing but gaps, or also the edges between "
+		"faces of different colour, of different texture islands, or of different quality.");
+}
+
+Parameter weldDistanceParameter() {
+	return lengthParameter(
+		"weld_distance", 0, "Weld distance",
+		"Vertices at most this far apart are linked and move as one, so that seams stay closed "
+		"(Section 4.2); 0 links only those with equal coordinates.");
+}
+
+Parameter onlySelectedParameter() {
+	return boolParameter("only_selected", false, "Only selected patches",
+						 "Work on the patches that have a selected face; the others hold still.");
+}
+
+Parameter fixBoundaryParameter() {
+	return boolParameter("fix_boundary", false, "Fix boundaries",
+						 "Vertices on the boundary of a patch stay where they are.");
+}
+
+Parameter fixSelectedParameter() {
+	return boolParameter("fix_selected", false, "Fix selected vertices",
+						 "Selected vertices stay where they are.");
+}
+
+Parameter angleToleranceParameter() {
+	return floatParameter(
+		"angle_tolerance", 1e-4, 0, "Angle tolerance (rad)",
+		"A vertex whose angle defect g (Eq. 5) is no larger than this counts as a developable "
+		"point in D (Eq. 2); the paper's own setting is 0.01 rad. On fine meshes every vertex "
+		"passes, so look at the total absolute curvature C too.");
+}
+
+Parameter mapParameter(std::vector<std::string> more) {
+	std::vector<std::string> maps = {"Gaussian map",      "Angle defect",      "Gaussian curvature",
+									 "Minimum curvature", "Maximum curvature", "Distance",
+									 "Displacement"};
+	maps.insert(maps.end(), more.begin(), more.end());
+	return enumeration(
+		"map", std::move(maps), 0, "Map",
+		"What is written to the vertex quality: the squared angle defect (the paper's Gaussian map, "
+		"Fig. 5), the angle defect g (Eq. 5), the Gaussian curvature (Eq. 1), the principal "
+		"curvature of smaller or of larger absolute value (Fig. 10), the distance to the original "
+		"surface (Fig. 8), or the distance moved.");
+}
+
+Parameter colorizeParameter() {
+	Parameter parameter =
+		boolParameter("colorize", true, "Colour the vertices",
+					  "Colour the vertices by the map, from blue over green to red, so that it "
+					  "shows at once; this replaces the vertex colours.");
+	parameter.offWhenColoured = true;
+	return parameter;
+}
+
+PatchOptions patchOptions(const ParameterValues& values) {
+	const auto isOn = [&values](const char* name) { return values.has(name) && values.boolean(name); };
+	PatchOptions options;
+	options.seams = values.choice<SeamKind>("patches");
+	options.weldDistance = values.number("weld_distance");
+	options.onlySelected = isOn("only_selected");
+	options.fixBoundary = isOn("fix_boundary");
+	options.fixSelected = isOn("fix_selected");
+	return options;
+}
+
+void refuseNotYet(const std::string& what, const std::string& insteadChoose) {
+	throw InvalidParameter(what + " does not work yet in this version; choose " + insteadChoose + ".");
+}
+
+} // namespace developable::plugin

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// maps.h: values per place that show where a shape is not developable and how far it has moved (Fig. 5 to
+// 10).
+#pragma once
+
+#include "angle_defect.h"
+
+namespace developable {
+
+/// The maps, in the order of the `map` enumeration.
+enum class Map {
+	GaussianMap,
+	AngleDefect,
+	GaussianCurvature,
+	MinimumCurvature,
+	MaximumCurvature,
+	Distance,
+	Displacement,
+	ElasticEnergy
+};
+
+struct MapProperties {
+	Map map;
+	const char* title;
+	const char* attribute; ///< name of the custom attribute that carries it
+	const char* unit;
+	bool isSigned;
+};
+
+/// Of all maps, in the order of Map.
+inline constexpr MapProperties mapProperties[] = {
+	{Map::GaussianMap, "Gaussian map", "gaussian_map", "rad²", false},
+	{Map::AngleDefect, "Angle defect", "angle_defect", "rad", true},
+	{Map::GaussianCurvature, "Gaussian curvature", "gaussian_curvature", "1/length²", true},
+	{Map::MinimumCurvature, "Minimum curvature", "kappa_min", "1/length", false},
+	{Map::MaximumCurvature, "Maximum curvature", "kappa_max", "1/length", false},
+	{Map::Distance, "Distance", "distance", "length", false},
+	{Map::Displacement, "Displacement", "displacement", "length", false},
+	{Map::ElasticEnergy, "Elastic energy", "elastic_energy", "length²", false},
+};
+
+inline const MapProperties& propertiesOf(Map map) {
+	return mapProperties[static_cast<int>(map)];
+}
+
+/// Where a place has several copies, the value of largest absolute value.
+/// \param copyValues  per copy
+/// \return            per place
+inline Eigen::VectorXd largestCopies(const PatchAssembly& assembly, const Eigen::VectorXd& copyValues) {
+	Eigen::VectorXd values = Eigen::VectorXd::Zero(assembly.placeCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
+		double& value = values[assembly.placeOfCopy[copy]];
+		if (std::abs(copyValues[copy]) > std::abs(value))
+			value = copyValues[copy];
+	}
+	return values;
+}
+
+/// g per place, rad.
+inline Eigen::VectorXd angleDefectMap(const PatchAssembly& assembly, const Positions& positions) {
+	return largestCopies(assembly, angleDefects(assembly, positions));
+}
+
+/// g² per place, rad²: the paper's Gaussian map (Fig. 5).
+inline Eigen::VectorXd gaussianMap(const PatchAssembly& assembly, const Positions& positions) {
+	return angleDefectMap(assembly, positions).cwiseAbs2();
+}
+
+/// κ per place (Eq. 1), 1/length².
+inline Eigen::VectorXd gaussianCurvatureMap(const PatchAssembly& assembly, const Positions& positions) {
+	return largestCopies(assembly, gaussianCurvatures(assembly, positions));
+}
+
+/// Distance moved, per place.
+inline Eigen::VectorXd displacementMap(const Positions& original, const Positions& positions) {
+	return (positions - original).colwise().norm().transpose();
+}
+
+} // namespace developable
