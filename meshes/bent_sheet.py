@@ -7,8 +7,9 @@ import numpy as np
 from shapes import Panels
 from triangulation import delaunay
 
-SHEET_RADIUS, SHEET_ARC, SHEET_LENGTH = 10.0, 25.0, 26.0
-SHEET_COLUMNS, SHEET_ROWS = 23, 24
+SHEET_RADIUS, SHEET_ARC, SHEET_LENGTH = 9.0, 18.0, 18.0
+SHEET_COLUMNS, SHEET_ROWS = 22, 23
+DENT_RADIUS, DENT_DEPTH = 9.0, 3.9
 
 
 def sheet_layout() -> tuple[np.ndarray, np.ndarray]:
@@ -48,6 +49,6 @@ def dented_shell() -> Panels:
     """Example I: each vertex pushed inward along the cylinder's normal by a bump with two derivatives."""
     layout, triangles = sheet_layout()
     positions, normals = bend(layout)
-    offset = (layout - [11.5, 12.0]) / [8.5, 9.5]
-    depth = 5.0 * np.maximum(1 - (offset**2).sum(axis=1), 0.0) ** 3
+    offset = (layout - [SHEET_ARC / 2, SHEET_LENGTH / 2]) / DENT_RADIUS
+    depth = DENT_DEPTH * np.maximum(1 - (offset**2).sum(axis=1), 0.0) ** 3
     return {"shell": (positions - depth[:, None] * normals, triangles)}

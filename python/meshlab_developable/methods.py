@@ -51,8 +51,8 @@ def measure(vertices: npt.ArrayLike, faces: npt.ArrayLike, **parameters: Any) ->
     """
     values = kinds.convert(parameters, kinds.MEASURE, "measure")
     name = "compute_scalar_by_developability_per_vertex"
-    mesh, result = _run(name, vertices, faces, values)
-    return Measured(Measures.from_values(result), _quality(mesh))
+    _, quality, result = _run(name, vertices, faces, values)
+    return Measured(Measures.from_values(result), quality)
 
 
 def make_developable(
@@ -74,13 +74,15 @@ def make_developable(
         )
     name, known, report_type = _METHODS[method]
     values = kinds.convert(parameters, known, f"the {method} method")
-    mesh, result = _run(name, vertices, faces, values)
-    return Developed(mesh.vertex_matrix(), _quality(mesh), report_type.from_values(result))
+    positions, quality, result = _run(name, vertices, faces, values)
+    return Developed(positions, quality, report_type.from_values(result))
 
 
 def _run(
     filter_name: str, vertices: npt.ArrayLike, faces: npt.ArrayLike, values: dict[str, Any]
-) -> tuple[Any, dict[str, Any]]:
+) -> tuple[Array, Array, dict[str, Any]]:
+    """The filter's positions, quality and returned values. Nothing of pymeshlab's outlives this call: a mesh
+    dies with its set."""
     positions, triangles = _checked(vertices, faces)
     plugin.load()
     meshes = pymeshlab.MeshSet()
@@ -89,7 +91,8 @@ def _run(
         result = meshes.apply_filter(filter_name, **values)
     except pymeshlab.PyMeshLabException as error:
         raise FilterError(_own_words(str(error))) from error
-    return meshes.current_mesh(), result
+    mesh = meshes.current_mesh()
+    return np.array(mesh.vertex_matrix()), plugin.vertex_quality(mesh), result
 
 
 def _checked(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.int32]]:
@@ -114,12 +117,6 @@ def _checked(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> tuple[Array, npt.
             f"{len(positions) - 1}"
         )
     return positions, triangles.astype(np.int32)
-
-
-def _quality(mesh: Any) -> Array:
-    """Vertex quality, by either of the names that pymeshlab has had for it."""
-    read = getattr(mesh, "vertex_scalar_array", None) or mesh.vertex_quality_array
-    return np.array(read(), dtype=np.float64)
 
 
 def _own_words(text: str) -> str:

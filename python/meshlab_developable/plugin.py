@@ -8,7 +8,10 @@ import importlib.metadata
 import re
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+import numpy.typing as npt
 import pymeshlab
 
 from meshlab_developable.errors import PluginNotFoundError
@@ -80,3 +83,9 @@ def find_plugin(version: str, folders: Sequence[Path]) -> Path:
         f"no build of the Developable plugin fits pymeshlab {version}; there are builds for pymeshlab "
         f"{', '.join(versions)}. Install one of these, for example: pip install 'pymeshlab=={versions[-1]}.*'"
     )
+
+
+def vertex_quality(mesh: Any) -> npt.NDArray[np.float64]:
+    """A mesh's quality a vertex, by either of the names that pymeshlab has had for it."""
+    read = getattr(mesh, "vertex_scalar_array", None) or mesh.vertex_quality_array
+    return np.array(read(), dtype=np.float64)

@@ -21,7 +21,8 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.integer[Any]]
 
-PICTURE_SIZE = 640, 560  # pixels
+PICTURE_SIZE = 640, 560  # of one shape, pixels
+HEADING, FOOTING = 40, 100  # heights of the titles above and of the scale below
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,27 +69,30 @@ def render(path: Path, pictures: Sequence[Picture], scale: ColourScale, view: Vi
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
+    from matplotlib.ticker import MaxNLocator
 
     colours = _colour_map(scale)
     images = [_draw(picture, pictures, scale, colours, view or View()) for picture in pictures]
     width, height = PICTURE_SIZE
-    dots = 100
-    figure = Figure(figsize=(width * len(pictures) / dots, (height + 110) / dots), dpi=dots)
+    total, dots = height + HEADING + FOOTING, 100
+    figure = Figure(figsize=(width * len(pictures) / dots, total / dots), dpi=dots)
     axes = figure.subplots(1, len(pictures), squeeze=False)[0]
-    figure.subplots_adjust(left=0, right=1, bottom=80 / (height + 110), top=1 - 30 / (height + 110), wspace=0)
+    figure.subplots_adjust(left=0, right=1, bottom=FOOTING / total, top=1 - HEADING / total, wspace=0)
     for axis, picture, image in zip(axes, pictures, images, strict=True):
         axis.imshow(image)
         axis.set_axis_off()
-        axis.set_title(picture.title, fontsize=13)
-    bar = figure.add_axes((0.25, 52 / (height + 110), 0.5, 16 / (height + 110)))
-    figure.colorbar(
+        axis.set_title(picture.title, fontsize=18)
+    bar = figure.add_axes((0.25, 66 / total, 0.5, 22 / total))
+    colour_bar = figure.colorbar(
         ScalarMappable(Normalize(scale.low, scale.high), colours),
         cax=bar,
         orientation="horizontal",
         extend="both" if scale.signed else "max",
-        label=scale.label,
+        ticks=MaxNLocator(5),
         format="%.3g",
     )
+    colour_bar.set_label(scale.label, fontsize=16)
+    bar.tick_params(labelsize=15)
     figure.savefig(path)
 
 

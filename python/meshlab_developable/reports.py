@@ -10,7 +10,7 @@ from typing import Any, Self
 
 
 class Status(enum.IntEnum):
-    """Why an optimisation ended; `text` says it in words."""
+    """Why an optimisation ended; `text` says it in the words of the filters' log."""
 
     CONVERGED = 0
     STALLED = 1
@@ -26,12 +26,12 @@ class Status(enum.IntEnum):
 
 
 _STATUS_TEXTS = {
-    Status.CONVERGED: "converged: every vertex is a developable point within the tolerance",
-    Status.STALLED: "stalled: the method makes no more progress, and the surface is not developable yet",
-    Status.LIMIT_REACHED: "stopped at the limit of iterations or operations, not developable yet",
-    Status.NEEDS_CUT: "no developable shape is near: a patch needs a cut",
-    Status.STOPPED: "stopped by the user; the mesh is unchanged",
-    Status.NOTHING_TO_DO: "nothing to do: the surface was developable within the tolerance already",
+    Status.CONVERGED: "converged",
+    Status.STALLED: "stalled: further steps would change next to nothing",
+    Status.LIMIT_REACHED: "stopped at the limit of iterations or operations",
+    Status.NEEDS_CUT: "no developable shape near this one: it needs a cut",
+    Status.STOPPED: "stopped by the user: nothing was changed",
+    Status.NOTHING_TO_DO: "nothing to do: developable from the start",
 }
 
 

@@ -58,7 +58,7 @@ def test_panels_are_consistently_oriented_disks(model):
 
 
 def test_normals_point_outward():
-    inside = {"sheet_bent": [0, 13, 0], "shoe_upper": [20, 1, 2], "short_pants": [0, 0, 13]}
+    inside = {"sheet_bent": [0, 9, 0], "shoe_upper": [20, 1, 2], "short_pants": [0, 0, 13]}
     for name, point in inside.items():
         positions, triangles, _ = reference.read_obj(MESHES / f"{name}.obj")
         a, b, c = (positions[triangles[:, i]] for i in range(3))
@@ -76,10 +76,10 @@ def test_bent_sheet_is_developable_and_the_shell_is_that_sheet_dented():
     sheet, triangles, _ = reference.read_obj(MESHES / "sheet_bent.obj")
     shell, shell_triangles, _ = reference.read_obj(MESHES / "dented_shell.obj")
     assert np.abs(reference.angle_defects(sheet, triangles)).sum() < 1e-8
-    assert np.ptp(sheet[:, 2]) > 5
+    assert np.ptp(sheet[:, 2]) > 4
     assert np.array_equal(triangles, shell_triangles)
     moved = np.linalg.norm(shell - sheet, axis=1)
-    assert moved.max() > 4
+    assert moved.max() > 3.5
     assert moved[[v for edge in reference.rim_edges(triangles) for v in edge]].max() < 1e-6
 
 

@@ -9,7 +9,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 import reference_measures as reference
-from meshlab_developable.rendering import PICTURE_SIZE, Picture, View, render, robust_scale
+from meshlab_developable.rendering import FOOTING, HEADING, PICTURE_SIZE, Picture, View, render, robust_scale
 
 SHELL = Path(__file__).parents[2] / "meshes" / "dented_shell.obj"
 
@@ -27,7 +27,7 @@ def rendered(tmp_path, pictures, scale, view=None):
 
 def shape_part(image, column):
     width, height = PICTURE_SIZE
-    return image[30 : 30 + height, column * width : (column + 1) * width]
+    return image[HEADING : HEADING + height, column * width : (column + 1) * width]
 
 
 def with_values(picture, values):
@@ -44,7 +44,7 @@ def test_shape_fills_the_picture_and_no_more(tmp_path, shell):
 
 def test_scale_is_drawn_with_its_colours_and_label(tmp_path, shell):
     image = rendered(tmp_path, [shell], robust_scale("g, rad", [shell.values], signed=True))
-    bar, label = image[-80:-45], image[-45:]
+    bar, label = image[-FOOTING:-66], image[-66:]
     bar_row = bar[np.ptp(bar, axis=2).sum(axis=1).argmax()]
     reddest, bluest = np.argmax(bar_row[:, 0] - bar_row[:, 2]), np.argmax(bar_row[:, 2] - bar_row[:, 0])
     assert bar_row[reddest, 0] - bar_row[reddest, 2] > 0.5

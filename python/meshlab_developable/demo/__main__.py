@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`python -m meshlab_developable.demo`: tries the methods on meshes and writes a report."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import pymeshlab
+
+from meshlab_developable.demo.chart import write_histogram
+from meshlab_developable.demo.document import verdict, write_html, write_text
+from meshlab_developable.demo.study import Input, Method, Study, study
+from meshlab_developable.errors import DevelopableError
+from meshlab_developable.plugin import load
+from meshlab_developable.rendering import View
+
+ANGLE_TOLERANCE = 0.01  # rad, the paper's
+
+METHODS = (
+    Method(
+        "global",
+        "Global Developability",
+        "All vertices move together: conjugate gradients on a penalty function (the paper's Section 4).",
+        "apply_coord_global_developability",
+        {"solver": "Conjugate gradient"},
+    ),
+    Method(
+        "local",
+        "Local Developability",
+        "One vertex moves at a time, along its normal, the worst one first (the paper's Section 5).",
+        "apply_coord_local_developability",
+        {},
+    ),
+)
+
+
+def demo_inputs() -> list[Input]:
+    """An open scan that comes with pymeshlab and, in a source checkout, our own dented shell."""
+    samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
+    inputs = [
+        Input(
+            samples / "bunny10k_textured.obj",
+            "A scan of a figurine, open underneath, that comes with pymeshlab.",
+            view=View((0.25, 0.35, 1.0), (0.0, 1.0, 0.0)),
+        )
+    ]
+    shell = Path(__file__).resolve().parents[3] / "meshes" / "dented_shell.obj"
+    if shell.exists():
+        what = "A bent sheet, dented by a smooth bump, in the manner of the paper's Fig. 1."
+        inputs.insert(0, Input(shell, what, "cm", View((0.9, -1.6, 1.3))))
+    return inputs
+
+
+def run(inputs: Sequence[Input], methods: Sequence[Method], folder: Path) -> list[Study]:
+    """Study each input and write everything into the folder. Raises what the filters raise."""
+    load()
+    folder.mkdir(parents=True, exist_ok=True)
+    studies, histograms = [], []
+    for source in inputs:
+        print(f"{source.name}: {source.what}", flush=True)
+        result = study(source, methods, ANGLE_TOLERANCE, folder)
+        for outcome in result.outcomes:
+            print(f"  {outcome.method.title}: {outcome.report.status.text}")
+            print(f"    {verdict(result, outcome)}", flush=True)
+        histograms.append(folder / f"{source.name}_histogram.svg")
+        write_histogram(histograms[-1], result.angle_defects, ANGLE_TOLERANCE)
+        studies.append(result)
+    write_html(folder / "report.html", studies, histograms)
+    write_text(folder / "report.txt", studies)
+    return studies
+
+
+def main() -> int:
+    """The command line. Returns 0, or 2 when a mesh cannot be worked on."""
+    parser = argparse.ArgumentParser(prog="python -m meshlab_developable.demo", description=__doc__)
+    parser.add_argument(
+        "meshes", nargs="*", type=Path, help="meshes of your own instead of the two of the demo"
+    )
+    parser.add_argument(
+        "--out", type=Path, default=Path("out/demo"), help="folder for the results (%(default)s)"
+    )
+    arguments = parser.parse_args()
+    inputs = [Input(path, f"The mesh {path.name}.") for path in arguments.meshes] or demo_inputs()
+    try:
+        run(inputs, METHODS, arguments.out)
+    except (DevelopableError, pymeshlab.PyMeshLabException) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    print(f"Report: {arguments.out / 'report.html'} (short: {arguments.out / 'report.txt'})")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The studies as one self-contained HTML page and as a short text."""
+
+from __future__ import annotations
+
+import base64
+import importlib.resources
+import mimetypes
+from collections.abc import Sequence
+from pathlib import Path
+
+import jinja2
+
+from meshlab_developable.demo.study import Outcome, Study
+
+Row = tuple[str, str, str]  # what, before, after
+
+
+def size(study: Study) -> str:
+    """How large the mesh is."""
+    patches = study.measures.patches
+    return (
+        f"{len(study.vertices)} vertices, {len(study.faces)} faces, "
+        f"{patches} {'patch' if patches == 1 else 'patches'}"
+    )
+
+
+def comparison(outcome: Outcome) -> list[Row]:
+    """The measures before and after, with units."""
+    report = outcome.report
+    return [
+        (
+            "developability D, share of the area",
+            f"{100 * report.developability_before:.1f} %",
+            f"{100 * report.developability_after:.1f} %",
+        ),
+        (
+            "detect function G",
+            f"{report.detect_function_before:.4g} rad²",
+            f"{report.detect_function_after:.4g} rad²",
+        ),
+        (
+            "largest angle defect",
+            f"{report.max_angle_defect_before:.4g} rad",
+            f"{report.max_angle_defect_after:.4g} rad",
+        ),
+        (
+            "total absolute curvature C",
+            f"{report.total_absolute_curvature_before:.4g} rad",
+            f"{report.total_absolute_curvature_after:.4g} rad",
+        ),
+    ]
+
+
+def cost(study: Study, outcome: Outcome) -> list[tuple[str, str]]:
+    """What the change cost, with units."""
+    report, unit = outcome.report, study.source.unit
+
+    def length(value: float) -> str:
+        return f"{value:.4g} {unit} ({100 * value / study.diagonal:.2g} % of the model's diagonal)"
+
+    return [
+        ("largest displacement", length(report.max_displacement)),
+        ("mean displacement", length(report.mean_displacement)),
+        ("deformation energy E", f"{report.deformation_energy:.4g} {f'({unit})' if ' ' in unit else unit}²"),
+        ("iterations", f"{report.iterations}"),
+        ("time", f"{report.seconds:.2g} s"),
+    ]
+
+
+def verdict(study: Study, outcome: Outcome) -> str:
+    """Two sentences: how much of the curvature went and what is left, and how much of the area is flat."""
+    report = outcome.report
+    before, after = report.total_absolute_curvature_before, report.total_absolute_curvature_after
+    if before == 0:
+        curvature = "There was no curvature to remove."
+    elif after > before:
+        curvature = f"The total absolute curvature rose from {before:.3g} to {after:.3g} rad."
+    else:
+        curvature = (
+            f"{100 * (1 - after / before):.0f} % of the total absolute curvature is gone: "
+            f"{before:.3g} rad before, {after:.3g} rad after."
+        )
+    return (
+        f"{curvature} {100 * report.developability_after:.1f} % of the area is flat within "
+        f"{study.angle_tolerance:g} rad, {100 * report.developability_before:.1f} % before."
+    )
+
+
+def write_html(file: Path, studies: Sequence[Study], histograms: Sequence[Path]) -> None:
+    """One page with everything in it; it needs no other file and no network."""
+    template = importlib.resources.files(__package__).joinpath("report.html.j2").read_text("utf-8")
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
+    for function in (comparison, cost, size, verdict, embedded):
+        environment.globals[function.__name__] = function
+    chapters = list(zip(studies, histograms, strict=True))
+    file.write_text(environment.from_string(template).render(chapters=chapters), encoding="utf-8")
+
+
+def write_text(file: Path, studies: Sequence[Study]) -> None:
+    """The numbers and the words, for a terminal."""
+    lines = []
+    for study in studies:
+        lines += [study.source.name, "=" * len(study.source.name), study.source.what, ""]
+        lines += [
+            f"{size(study)}; a vertex counts as developable when its angle defect is at most "
+            f"{study.angle_tolerance:g} rad",
+            "",
+        ]
+        for outcome in study.outcomes:
+            lines += [f"{outcome.method.title}: {outcome.report.status.text}", verdict(study, outcome), ""]
+            lines += [f"  {what:38}{before:>16}  ->  {after}" for what, before, after in comparison(outcome)]
+            lines += [f"  {what:38}{value}" for what, value in cost(study, outcome)]
+            lines += [f"  {'result':38}{outcome.file.name}", ""]
+    file.write_text("\n".join(lines), encoding="utf-8")
+
+
+def embedded(file: Path) -> str:
+    """The file as a data address."""
+    kind = mimetypes.guess_type(file.name)[0]
+    return f"data:{kind};base64,{base64.b64encode(file.read_bytes()).decode('ascii')}"

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is done with one mesh: measured, then each method tried on a copy of it, results and pictures kept."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pymeshlab
+
+from meshlab_developable.plugin import vertex_quality
+from meshlab_developable.rendering import Array, IndexArray, Picture, View, render, robust_scale
+from meshlab_developable.reports import Measures, OptimizationReport
+
+
+@dataclasses.dataclass(frozen=True)
+class Input:
+    """A mesh to try."""
+
+    path: Path
+    what: str  # a sentence
+    unit: str = "model units"
+    view: View = dataclasses.field(default_factory=View)
+
+    @property
+    def name(self) -> str:
+        """What files and headings call it."""
+        return self.path.stem
+
+
+@dataclasses.dataclass(frozen=True)
+class Method:
+    """A filter with its parameters."""
+
+    name: str  # in file names
+    title: str
+    what: str  # a sentence
+    filter: str
+    parameters: Mapping[str, Any]
+
+
+@dataclasses.dataclass(frozen=True)
+class MapKind:
+    """A map to show."""
+
+    title: str  # as the filter's parameter `map` has it
+    label: str  # with the unit
+    signed: bool
+    caption: str
+    before_too: bool = True  # False for maps that are 0 before
+
+
+@dataclasses.dataclass(frozen=True)
+class Outcome:
+    """What a method made of a mesh."""
+
+    method: Method
+    report: OptimizationReport
+    vertices: Array  # n x 3
+    maps: Mapping[str, Array]  # n values by the map's title
+    file: Path
+
+
+@dataclasses.dataclass(frozen=True)
+class Figure:
+    """A picture in the report."""
+
+    file: Path
+    title: str
+    caption: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    """All that is known about one mesh."""
+
+    source: Input
+    angle_tolerance: float  # rad
+    vertices: Array  # n x 3
+    faces: IndexArray  # m x 3
+    measures: Measures
+    maps: Mapping[str, Array]  # n values by the map's title, before
+    outcomes: Sequence[Outcome]
+    figures: Sequence[Figure]
+
+    @property
+    def diagonal(self) -> float:
+        """Diagonal of the bounding box."""
+        return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+
+    @property
+    def angle_defects(self) -> dict[str, Array]:
+        """Of the vertices inside patches, rad, by what was done; boundary vertices have none."""
+        sides = np.sort(self.faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        edges, uses = np.unique(sides, axis=0, return_counts=True)
+        inside = np.setdiff1d(self.faces, edges[uses == 1])
+        named = {"before": self.maps} | {f"after: {o.method.title}": o.maps for o in self.outcomes}
+        return {name: maps["Angle defect"][inside] for name, maps in named.items()}
+
+
+MAPS = (
+    MapKind(
+        "Angle defect",
+        "angle defect g, rad",
+        True,
+        "Red: the surface is a dome there, flat material has too much round it and needs a dart. Blue: it is "
+        "a saddle, flat material has too little. Grey: it can be laid flat.",
+    ),
+    MapKind(
+        "Gaussian map",
+        "Gaussian map g², rad²",
+        False,
+        "The squared angle defect, as in Fig. 5 to 7 of the paper. The paper's methods lower its sum.",
+    ),
+    MapKind("Displacement", "distance moved, {unit}", False, "How far each vertex moved.", before_too=False),
+)
+
+
+def study(source: Input, methods: Sequence[Method], angle_tolerance: float, folder: Path) -> Study:
+    """Measure a mesh, try the methods, write results and pictures into the folder.
+
+    Raises pymeshlab.PyMeshLabException when the mesh cannot be read or a filter refuses it.
+    """
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(source.path))
+    values = _apply_maps_filter(meshes, "Gaussian map", angle_tolerance)
+    original = meshes.current_mesh()
+    vertices, faces = original.vertex_matrix(), original.face_matrix()
+    maps = _maps(meshes, [kind for kind in MAPS if kind.before_too], angle_tolerance)
+    _save(meshes, folder / f"{source.name}_before.ply")
+    outcomes = [_try(meshes, source, method, angle_tolerance, folder) for method in methods]
+    figures = [
+        _figure(kind, source, vertices, faces, maps, outcomes, folder)
+        for kind in MAPS
+        if kind.before_too or outcomes
+    ]
+    measures = Measures.from_values(values)
+    return Study(source, angle_tolerance, vertices, faces, measures, maps, outcomes, figures)
+
+
+def _try(meshes: Any, source: Input, method: Method, angle_tolerance: float, folder: Path) -> Outcome:
+    meshes.set_current_mesh(0)
+    meshes.apply_filter("generate_copy_of_current_mesh")
+    values = meshes.apply_filter(method.filter, angle_tolerance=angle_tolerance, **method.parameters)
+    file = folder / f"{source.name}_{method.name}.ply"
+    maps = _maps(meshes, MAPS, angle_tolerance)
+    vertices = meshes.current_mesh().vertex_matrix()
+    _apply_maps_filter(meshes, "Angle defect", angle_tolerance)
+    _save(meshes, file)
+    return Outcome(method, OptimizationReport.from_values(values), vertices, maps, file)
+
+
+def _maps(meshes: Any, kinds: Sequence[MapKind], angle_tolerance: float) -> dict[str, Array]:
+    maps = {}
+    for kind in kinds:
+        _apply_maps_filter(meshes, kind.title, angle_tolerance)
+        maps[kind.title] = vertex_quality(meshes.current_mesh())
+    return maps
+
+
+def _apply_maps_filter(meshes: Any, title: str, angle_tolerance: float) -> dict[str, Any]:
+    result: dict[str, Any] = meshes.apply_filter(
+        "compute_scalar_by_developability_per_vertex",
+        angle_tolerance=angle_tolerance,
+        map=title,
+        colorize=True,
+    )
+    return result
+
+
+def _save(meshes: Any, file: Path) -> None:
+    meshes.save_current_mesh(str(file))
+
+
+def _figure(
+    kind: MapKind,
+    source: Input,
+    vertices: Array,
+    faces: IndexArray,
+    maps: Mapping[str, Array],
+    outcomes: Sequence[Outcome],
+    folder: Path,
+) -> Figure:
+    pictures = [
+        Picture(f"after: {outcome.method.title}", outcome.vertices, faces, outcome.maps[kind.title])
+        for outcome in outcomes
+    ]
+    if kind.before_too:
+        before = Picture("before", vertices, faces, maps[kind.title])
+        pictures.insert(0, before)
+        compared = [before.values]
+    else:
+        compared = [picture.values for picture in pictures]
+    scale = robust_scale(kind.label.format(unit=source.unit), compared, kind.signed)
+    file = folder / f"{source.name}_{kind.title.lower().replace(' ', '_')}.png"
+    render(file, pictures, scale, source.view)
+    return Figure(file, kind.title, kind.caption)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The demonstration: what it writes can be read back and says what was measured."""
+
+from __future__ import annotations
+
+import html.parser
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pymeshlab
+import pytest
+import reference_measures as reference
+from meshlab_developable.demo.__main__ import METHODS, demo_inputs, run
+from meshlab_developable.demo.document import verdict
+from meshlab_developable.demo.study import Input
+
+PANTS = Path(__file__).parents[2] / "meshes" / "short_pants.obj"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("demo")
+
+
+@pytest.fixture(scope="module")
+def study(folder):
+    return run([Input(PANTS, "Short pants <of four panels>.", "cm")], METHODS, folder)[0]
+
+
+@pytest.fixture(scope="module")
+def page(folder, study):
+    return (folder / "report.html").read_text(encoding="utf-8")
+
+
+def read_back(file):
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(file))
+    mesh = meshes.current_mesh()
+    return mesh.vertex_matrix(), mesh.face_matrix(), mesh.vertex_scalar_array(), mesh.vertex_color_matrix()
+
+
+def test_inputs_of_the_demo_exist():
+    assert [source.name for source in demo_inputs()] == ["dented_shell", "bunny10k_textured"]
+    assert all(source.path.is_file() for source in demo_inputs())
+
+
+def test_result_meshes_carry_positions_map_and_colours(study, folder):
+    for outcome in study.outcomes:
+        positions, triangles, quality, colours = read_back(outcome.file)
+        assert outcome.file.parent == folder
+        assert positions == pytest.approx(outcome.vertices, abs=1e-5)
+        assert np.array_equal(triangles, study.faces)
+        assert quality == pytest.approx(outcome.maps["Angle defect"], abs=1e-6)
+        assert len(np.unique(colours, axis=0)) > 50
+
+
+def test_reported_curvature_is_that_of_the_result(study):
+    for outcome in study.outcomes:
+        defects = reference.angle_defects(outcome.vertices, study.faces)
+        assert outcome.report.total_absolute_curvature_after == pytest.approx(np.abs(defects).sum(), rel=1e-6)
+        assert outcome.report.detect_function_after < outcome.report.detect_function_before
+
+
+def test_maps_of_displacement_are_how_far_vertices_moved(study):
+    for outcome in study.outcomes:
+        moved = np.linalg.norm(outcome.vertices - study.vertices, axis=1)
+        assert outcome.maps["Displacement"] == pytest.approx(moved, abs=1e-9)
+        assert moved.max() > 0
+
+
+def test_histogram_counts_interior_vertices(study):
+    interior = len(study.vertices) - len(reference.rim_edges(study.faces))
+    assert {name: len(values) for name, values in study.angle_defects.items()} == dict.fromkeys(
+        ["before", "after: Global Developability", "after: Local Developability"], interior
+    )
+
+
+def test_text_report_has_the_numbers(study, folder):
+    text = (folder / "report.txt").read_text(encoding="utf-8")
+    assert f"{len(study.vertices)} vertices, {len(study.faces)} faces, 4 patches" in text
+    for outcome in study.outcomes:
+        assert f"{outcome.method.title}: {outcome.report.status.text}" in text
+        assert verdict(study, outcome) in text
+        assert f"{outcome.report.total_absolute_curvature_after:.4g} rad" in text
+        assert f"{outcome.report.max_displacement:.4g} cm" in text
+
+
+class Page(html.parser.HTMLParser):
+    """Collects what the page refers to and its text."""
+
+    def __init__(self):
+        super().__init__()
+        self.addresses, self.alternatives, self.text = [], [], ""
+
+    def handle_starttag(self, tag, attrs):
+        attributes = dict(attrs)
+        self.addresses += [attributes[key] for key in ("src", "href") if key in attributes]
+        if tag == "img":
+            self.alternatives.append(attributes["alt"])
+
+    def handle_data(self, data):
+        self.text += data
+
+
+def test_page_has_the_numbers_and_needs_nothing_else(study, page):
+    parser = Page()
+    parser.feed(page)
+    words = re.sub(r"\s+", " ", parser.text)
+    assert "Short pants <of four panels>." in words
+    for outcome in study.outcomes:
+        assert verdict(study, outcome) in words
+        assert outcome.report.status.text in words
+        assert f"{outcome.report.detect_function_after:.4g} rad²" in words
+    assert len(parser.alternatives) == len(study.figures) + 1
+    assert all(parser.alternatives)
+    assert all(address.startswith(("data:", "#")) for address in parser.addresses)
+    assert "url(" not in page
+
+
+def test_every_figure_is_a_picture(study):
+    assert [figure.title for figure in study.figures] == ["Angle defect", "Gaussian map", "Displacement"]
+    for figure in study.figures:
+        assert figure.file.read_bytes().startswith(b"\x89PNG")
+
+
+def command_line(*arguments):
+    command = [sys.executable, "-m", "meshlab_developable.demo", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ)
+
+
+def test_a_mesh_that_is_not_there_is_an_error_in_words(tmp_path):
+    result = command_line("--out", tmp_path, "no_such_mesh.obj")
+    assert result.returncode == 2
+    assert "no_such_mesh.obj" in result.stderr
+    assert "Traceback" not in result.stderr

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The package: loading the plugin that fits, and arrays in, arrays and a report out."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import meshlab_developable
+import numpy as np
+import pymeshlab
+import pytest
+import reference_measures as reference
+from meshlab_developable import Status, parameters, plugin
+
+ROOT = Path(__file__).parents[2]
+SHELL = ROOT / "meshes" / "dented_shell.obj"
+
+
+@pytest.fixture(scope="module")
+def shell():
+    positions, triangles, _ = reference.read_obj(SHELL)
+    return positions, triangles
+
+
+def test_version_is_the_projects():
+    assert meshlab_developable.__version__ == (ROOT / "VERSION").read_text().strip()
+
+
+def test_load_twice_changes_nothing():
+    meshlab_developable.load()
+    plugins = pymeshlab.plugin_number()
+    filters = pymeshlab.filter_list()
+    assert set(plugin.FILTERS) <= set(filters)
+    meshlab_developable.load()
+    assert pymeshlab.plugin_number() == plugins
+    assert pymeshlab.filter_list() == filters
+
+
+def test_load_binds_methods():
+    meshlab_developable.load()
+    for name in plugin.FILTERS:
+        assert callable(getattr(pymeshlab.MeshSet, name))
+
+
+def fake_builds(folder, *versions):
+    for version in versions:
+        (folder / f"pymeshlab-{version}").mkdir(parents=True)
+        (folder / f"pymeshlab-{version}" / plugin.PLUGIN_FILE).touch()
+    return folder
+
+
+def test_a_build_that_fits_is_found(tmp_path):
+    builds = fake_builds(tmp_path, "2022.2", "2025.7")
+    assert plugin.find_plugin("2022.2", [builds]).parent.name == "pymeshlab-2022.2"
+
+
+def test_the_installed_build_goes_before_the_checkouts(tmp_path):
+    installed, checkout = (fake_builds(tmp_path / name, "2025.7") for name in ("installed", "checkout"))
+    assert plugin.find_plugin("2025.7", [installed, checkout]).is_relative_to(installed)
+
+
+def test_when_none_fits_the_versions_are_named(tmp_path):
+    builds = fake_builds(tmp_path, "2022.2", "2025.7")
+    with pytest.raises(meshlab_developable.PluginNotFoundError) as caught:
+        plugin.find_plugin("2023.12", [builds])
+    for words in ("2023.12", "2022.2, 2025.7", "pip install"):
+        assert words in str(caught.value)
+
+
+def test_when_none_is_built_it_says_how(tmp_path):
+    with pytest.raises(meshlab_developable.PluginNotFoundError, match="bash scripts"):
+        plugin.find_plugin("2025.7", [tmp_path])
+
+
+def test_a_build_that_does_not_fit_is_refused_in_words(tmp_path, monkeypatch):
+    builds = fake_builds(tmp_path, plugin.pymeshlab_version())
+    monkeypatch.setattr(plugin, "is_loaded", lambda: False)
+    monkeypatch.setattr(plugin, "plugin_folders", lambda: [builds])
+    with pytest.raises(meshlab_developable.PluginNotFoundError, match=plugin.pymeshlab_version()):
+        plugin.load()
+
+
+def test_measures_agree_with_slow_ones(shell):
+    result = meshlab_developable.measure(*shell, angle_tolerance=0.01, map="Angle defect")
+    defects = reference.angle_defects(*shell)
+    assert result.measures.patches == 1
+    assert result.measures.assembling_vertices == 0
+    assert result.measures.developability == pytest.approx(reference.developability(*shell, 0.01), rel=1e-9)
+    assert result.measures.detect_function == pytest.approx((defects**2).sum(), rel=1e-9)
+    assert result.measures.max_angle_defect == pytest.approx(np.abs(defects).max(), rel=1e-9)
+    assert result.measures.total_absolute_curvature == pytest.approx(np.abs(defects).sum(), rel=1e-9)
+    assert result.quality == pytest.approx(defects, abs=1e-9)
+
+
+def test_seams_of_the_pants_are_linked():
+    positions, triangles, _ = reference.read_obj(ROOT / "meshes" / "short_pants.obj")
+    measures = meshlab_developable.measure(positions, triangles).measures
+    assert measures.patches == 4
+    places = np.unique(positions, axis=0, return_counts=True)[1]
+    assert measures.assembling_vertices == (places > 1).sum()
+
+
+@pytest.mark.parametrize("method", ["global", "local"])
+def test_make_developable_removes_curvature(shell, method):
+    options = {"solver": "Conjugate gradient"} if method == "global" else {}
+    result = meshlab_developable.make_developable(*shell, method=method, angle_tolerance=0.01, **options)
+    report = result.report
+    before, after = ((reference.angle_defects(p, shell[1]) ** 2).sum() for p in (shell[0], result.vertices))
+    assert after < before
+    assert report.detect_function_before == pytest.approx(before, rel=1e-9)
+    assert report.detect_function_after == pytest.approx(after, rel=1e-6)
+    moved = np.linalg.norm(result.vertices - shell[0], axis=1)
+    assert report.max_displacement == pytest.approx(moved.max(), rel=1e-9)
+    assert report.mean_displacement == pytest.approx(moved.mean(), rel=1e-9)
+    assert report.status in Status
+    assert report.converged == (report.status is Status.CONVERGED)
+
+
+def test_the_arrays_given_are_not_changed(shell):
+    positions, triangles = (array.copy() for array in shell)
+    meshlab_developable.make_developable(positions, triangles, method="local", max_operations=50)
+    assert np.array_equal(positions, shell[0])
+    assert np.array_equal(triangles, shell[1])
+
+
+def test_lists_and_read_only_arrays_are_taken(shell):
+    positions, triangles = (array.copy() for array in shell)
+    positions.flags.writeable = triangles.flags.writeable = False
+    from_arrays = meshlab_developable.measure(positions, triangles)
+    from_lists = meshlab_developable.measure(positions.tolist(), triangles.tolist())
+    assert from_arrays.measures == from_lists.measures
+
+
+def test_lengths_are_plain_numbers(shell):
+    result = meshlab_developable.make_developable(*shell, method="local", max_displacement=0.05)
+    assert 0 < result.report.max_displacement <= 0.05 * (1 + 1e-12)
+
+
+def test_developable_input_is_left_alone():
+    positions, triangles, _ = reference.read_obj(ROOT / "meshes" / "sheet_bent.obj")
+    result = meshlab_developable.make_developable(positions, triangles, method="local")
+    assert result.report.status in (Status.NOTHING_TO_DO, Status.CONVERGED)
+    assert np.array_equal(result.vertices, positions)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"method": "sideways"}, ["'sideways'", "'global'", "'local'"]),
+        ({"angle_tolerence": 0.1}, ["'angle_tolerence'", "'angle_tolerance'"]),
+        ({"angle_tolerance": -1}, ["angle_tolerance", "-1", "0 or more"]),
+        ({"angle_tolerance": float("nan")}, ["angle_tolerance", "nan"]),
+        ({"max_iterations": 1.5}, ["max_iterations", "1.5", "whole"]),
+        ({"weld_distance": "wide"}, ["weld_distance", "'wide'", "0 or more"]),
+        ({"map": "Temperature"}, ["map", "'Temperature'", "'Gaussian map'"]),
+        ({"fix_boundary": 1}, ["fix_boundary", "True or False"]),
+        ({"max_displacement": 1}, ["global", "'max_displacement'"]),
+    ],
+)
+def test_bad_parameters_are_named(shell, arguments, words):
+    with pytest.raises(meshlab_developable.InvalidParameterError) as caught:
+        meshlab_developable.make_developable(*shell, **arguments)
+    for word in words:
+        assert word in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces", "words"),
+    [
+        ([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], "n x 3"),
+        ([["a", "b", "c"]], [[0, 0, 0]], "numbers"),
+        (np.eye(3), [[0, 1]], "m x 3"),
+        (np.eye(3), [[0.0, 1.0, 2.0]], "whole numbers"),
+        (np.eye(3), [[0, 1, 3], [0, 1, 2], [-1, 0, 1]], "2 faces"),
+    ],
+)
+def test_bad_arrays_are_refused(vertices, faces, words):
+    with pytest.raises(meshlab_developable.InvalidMeshError, match=words):
+        meshlab_developable.measure(vertices, faces)
+
+
+def test_the_filters_refusal_comes_in_its_own_words():
+    tetrahedron = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    positions = np.concatenate([np.zeros((1, 3)), np.eye(3)])
+    with pytest.raises(meshlab_developable.FilterError) as caught:
+        meshlab_developable.make_developable(positions, tetrahedron, method="local")
+    assert "closed" in str(caught.value)
+    assert "Failed to apply" not in str(caught.value)
+
+
+def filter_parameters(name):
+    """The parameters that pymeshlab itself knows of a filter; it only prints them."""
+    script = (
+        f"import pymeshlab as p, meshlab_developable as d; d.load(); p.print_filter_parameter_list({name!r})"
+    )
+    printed = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    ).stdout
+    return set(re.findall(r"^\s*(\w+) : ", printed, re.MULTILINE))
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "not_for_arrays"),
+    [
+        (plugin.FILTERS[0], parameters.GLOBAL, {"only_selected", "fix_selected", "colorize"}),
+        (plugin.FILTERS[1], parameters.LOCAL, {"only_selected", "fix_selected", "colorize"}),
+        (plugin.FILTERS[2], parameters.MEASURE, {"reference", "colorize"}),
+    ],
+)
+def test_every_parameter_of_the_filters_is_known(name, known, not_for_arrays):
+    assert filter_parameters(name) == set(known) | not_for_arrays
+
+
+def test_every_status_has_words_of_its_own():
+    assert len({status.text for status in Status}) == len(Status) == 6
