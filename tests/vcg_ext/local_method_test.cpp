@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/local_method.h"
 
+#include "developable/roughness.h"
 #include "support/finite_differences.h"
 #include "support/shapes.h"
+#include "support/slow_local_method.h"
 
 #include <gtest/gtest.h>
 
@@ -15,27 +17,45 @@ Measures measured(const PatchAssembly& assembly, const Positions& positions) {
 
 TEST(LocalState, DerivativeOfTAgreesWithDifferences) {
 	const PatchAssembly assembly = assembled(jitteredGrid(7, 7, bumpedCylinder));
-	detail::LocalState state(assembly, assembly.originalPositions);
+	const detail::Movers movers(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
+	detail::LocalState state(assembly, assembly.originalPositions, movers);
 	const double step = 1e-6;
-	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
-		if (!assembly.copyInterior[copy])
+	for (int place = 0; place < assembly.placeCount(); ++place) {
+		if (!movers.movable[place])
 			continue;
-		const double derivative = state.localDerivative(copy);
-		state.moveTo(copy, step);
-		const double above = state.localDetectFunction(copy);
-		state.moveTo(copy, -step);
-		const double below = state.localDetectFunction(copy);
-		state.moveTo(copy, 0);
+		const double derivative = state.localDerivative(place);
+		state.moveTo(place, step);
+		const double above = state.localDetectFunction(place);
+		state.moveTo(place, -step);
+		const double below = state.localDetectFunction(place);
+		state.moveTo(place, 0);
 		EXPECT_NEAR(derivative, (above - below) / (2 * step), 1e-6 * std::max(1.0, std::abs(derivative)));
 	}
 }
 
+TEST(LocalState, DerivativeOfTheUnevennessAgreesWithDifferences) {
+	const PatchAssembly assembly = assembled(jitteredGrid(6, 6, bumpedCylinder));
+	const detail::Movers movers(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
+	detail::LocalState state(assembly, assembly.originalPositions, movers);
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		if (movers.movable[place])
+			state.moveTo(place, 0.01 * (place % 7 - 3));
+	const int place = 14;
+	const double height = state.height(place), derivative = state.unevennessDerivative(place);
+	state.moveTo(place, height + 1e-5);
+	const double above = state.unevenness(place);
+	state.moveTo(place, height - 1e-5);
+	EXPECT_NEAR(derivative, (above - state.unevenness(place)) / 2e-5, 1e-9);
+	EXPECT_GT(std::abs(derivative), 1e-3);
+}
+
 TEST(LocalState, KeepsAngleDefectsEqualToANewComputation) {
 	const PatchAssembly assembly = assembled(jitteredGrid(8, 8, saddle));
-	detail::LocalState state(assembly, assembly.originalPositions);
-	for (int copy = 0; copy < assembly.copyCount(); copy += 3)
-		if (assembly.copyInterior[copy])
-			state.moveTo(copy, 0.01 * (copy % 5 - 2));
+	const detail::Movers movers(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
+	detail::LocalState state(assembly, assembly.originalPositions, movers);
+	for (int place = 0; place < assembly.placeCount(); place += 3)
+		if (movers.movable[place])
+			state.moveTo(place, 0.01 * (place % 5 - 2));
 	EXPECT_EQ(state.defects(), angleDefects(assembly, state.positions()));
 	EXPECT_NEAR(state.detectFunction(), detectFunction(state.defects()), 1e-12);
 }
@@ -185,6 +205,166 @@ TEST(LocalMethod, RefusesWhatItCannotWorkOn) {
 	mesh.vertexSelected.assign(25, 1);
 	const PatchAssembly held = assembled(mesh, allHeld);
 	EXPECT_THROW(localMethod(held, positions, {}), NothingFree);
+}
+
+TEST(LocalMethod, EqualsTheSlowOneToTheLastBit) {
+	int case_ = 0;
+	for (const Surface& surface : {Surface(bumpedCylinder), Surface(saddle), sphereCap(1.0)})
+		for (const double displacement : {0.002, 0.05})
+			for (const double tolerance : {0.01, 1e-4}) {
+				const PatchAssembly assembly = assembled(jitteredGrid(8 + case_++ % 3, 9, surface));
+				Positions expected = assembly.originalPositions, positions = expected;
+				const long operations = slowLocalMethod(assembly, expected, tolerance, displacement, 3000);
+				LocalMethodOptions options;
+				options.maxDisplacement = displacement;
+				options.angleTolerance = tolerance;
+				options.maxOperations = 3000;
+				EXPECT_EQ(localMethod(assembly, positions, options).iterations, operations);
+				EXPECT_EQ(positions, expected);
+			}
+}
+
+/// A cap that the paper's method does not finish.
+PatchAssembly hardCase() {
+	return assembled(jitteredGrid(11, 11, sphereCap(1.0)));
+}
+
+TEST(LocalMethod, DescentLowersTWithEveryMoveAndEndsByItself) {
+	const PatchAssembly assembly = hardCase();
+	LocalMethodOptions descent;
+	descent.descent = true;
+	descent.angleTolerance = 1e-5; // out of reach
+	Positions careful = assembly.originalPositions;
+	const LocalMethodReport report = localMethod(assembly, careful, descent);
+	EXPECT_EQ(report.status, Status::Stalled);
+	EXPECT_LT(report.iterations, descent.maxOperations / 2);
+	EXPECT_GT(report.setAside, 0);
+	EXPECT_LT(measured(assembly, careful).detectFunction,
+			  measured(assembly, assembly.originalPositions).detectFunction);
+	// One move alone lowers G, for T holds all of G that it can change.
+	descent.maxOperations = 1;
+	Positions once = assembly.originalPositions;
+	localMethod(assembly, once, descent);
+	EXPECT_LT(measured(assembly, once).detectFunction,
+			  measured(assembly, assembly.originalPositions).detectFunction);
+}
+
+/// Σ over edges of the squared difference of the displacements of its ends.
+double unevenness(const PatchAssembly& assembly, const Positions& positions) {
+	const Positions moves = positions - assembly.originalPositions;
+	double sum = 0;
+	for (const auto& edge : assembly.edgePlaces.colwise())
+		sum += (moves.col(edge[0]) - moves.col(edge[1])).squaredNorm();
+	return sum / moves.squaredNorm();
+}
+
+/// Runs until G is as low as a bound, and no longer.
+Positions runUntil(const PatchAssembly& assembly, LocalMethodOptions options, double bound) {
+	long tooFew = 0, enough = options.maxOperations;
+	Positions result;
+	while (enough - tooFew > 1) {
+		options.maxOperations = (tooFew + enough) / 2;
+		Positions positions = assembly.originalPositions;
+		localMethod(assembly, positions, options);
+		if (measured(assembly, positions).detectFunction > bound) {
+			tooFew = options.maxOperations;
+		} else {
+			enough = options.maxOperations;
+			result = positions;
+		}
+	}
+	return result;
+}
+
+TEST(LocalMethod, SmoothingEvensOutTheDisplacementsAtEqualDetectFunction) {
+	const PatchAssembly assembly = hardCase();
+	LocalMethodOptions options;
+	options.descent = true;
+	options.maxOperations = 20000;
+	const double bound = 0.6 * measured(assembly, assembly.originalPositions).detectFunction;
+	const Positions plain = runUntil(assembly, options, bound);
+	options.smoothing = 0.01;
+	const Positions smooth = runUntil(assembly, options, bound);
+	ASSERT_GT(plain.size(), 0);
+	ASSERT_GT(smooth.size(), 0);
+	EXPECT_LT(unevenness(assembly, smooth), 0.9 * unevenness(assembly, plain));
+	EXPECT_LT(roughness(assembly, smooth), roughness(assembly, plain));
+}
+
+/// Two sheets sewn along an edge, with a ridge across the seam.
+PatchAssembly sewnSheets() {
+	const auto ridge = [](double u, double v) -> Eigen::Vector3d {
+		return {u, v, 0.1 * std::exp(-20 * ((u - 1) * (u - 1) + (v - 0.5) * (v - 0.5)))};
+	};
+	return assembled(together(jitteredGrid(9, 9, ridge),
+							  jitteredGrid(9, 9, [&](double u, double v) { return ridge(1 + u, v); })));
+}
+
+TEST(LocalMethod, MovesSeamsWhenTheyMayMoveTogether) {
+	const PatchAssembly assembly = sewnSheets();
+	ASSERT_EQ(assembly.patchCount(), 2);
+	ASSERT_EQ(assembly.assemblingPlaceCount(), 9);
+	LocalMethodOptions options;
+	options.descent = true;
+	Positions fixed = assembly.originalPositions, together = fixed;
+	localMethod(assembly, fixed, options);
+	options.assemblingVertices = AssemblingVertices::MoveTogether;
+	localMethod(assembly, together, options);
+	double seamMove = 0;
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		if (assembly.placeAssembling[place]) {
+			EXPECT_EQ(fixed.col(place), assembly.originalPositions.col(place));
+			seamMove =
+				std::max(seamMove, (together.col(place) - assembly.originalPositions.col(place)).norm());
+		}
+	EXPECT_GT(seamMove, 1e-3);
+	EXPECT_LT(measured(assembly, together).detectFunction, 0.8 * measured(assembly, fixed).detectFunction);
+}
+
+/// How many pairs of triangles cut each other.
+int countIntersections(const PatchAssembly& assembly, const Positions& positions) {
+	std::vector<detail::PlacedTriangle> triangles;
+	for (const auto& places : assembly.trianglePlaces.colwise())
+		triangles.emplace_back(places, positions);
+	int count = 0;
+	for (std::size_t a = 0; a < triangles.size(); ++a)
+		for (std::size_t b = 0; b < a; ++b)
+			count += detail::intersect(triangles[a], triangles[b]);
+	return count;
+}
+
+TEST(LocalMethod, AvoidsSelfIntersectionsWhereThePapersMovesMakeThem) {
+	// A crumpled sheet just above a flat one.
+	std::mt19937 random(5);
+	const auto crumpled = [&](double u, double v) -> Eigen::Vector3d {
+		return {u, v, 0.005 + 0.05 * random() / std::mt19937::max()};
+	};
+	const PatchAssembly assembly = assembled(together(grid(13, 13, crumpled), grid(12, 12, flatSheet)));
+	ASSERT_EQ(countIntersections(assembly, assembly.originalPositions), 0);
+	LocalMethodOptions options;
+	options.maxDisplacement = 0.2;
+	Positions through = assembly.originalPositions, clear = through;
+	localMethod(assembly, through, options);
+	EXPECT_GT(countIntersections(assembly, through), 0);
+	options.avoidSelfIntersections = true;
+	const LocalMethodReport report = localMethod(assembly, clear, options);
+	EXPECT_EQ(countIntersections(assembly, clear), 0);
+	EXPECT_GT(report.refusedMoves, 0);
+	EXPECT_LT(measured(assembly, clear).detectFunction,
+			  measured(assembly, assembly.originalPositions).detectFunction);
+}
+
+TEST(TriangleIntersection, KnowsDisjointCrossingAndJoinedTriangles) {
+	Positions positions(3, 7);
+	positions << 0, 1, 0, 0.2, 0.2, 0.2, 0.5, /**/ 0, 0, 1, 0.2, 0.2, 0.9, 0.5, /**/ 0, 0, 0, -1, 1, 1, -0.5;
+	const auto triangle = [&](int a, int b, int c) {
+		return detail::PlacedTriangle(Eigen::Vector3i(a, b, c), positions);
+	};
+	EXPECT_TRUE(detail::intersect(triangle(0, 1, 2), triangle(3, 4, 5)));  // pierced by an edge
+	EXPECT_FALSE(detail::intersect(triangle(0, 1, 2), triangle(0, 1, 4))); // joined along an edge
+	EXPECT_FALSE(detail::intersect(triangle(0, 1, 2), triangle(0, 4, 5))); // joined at a vertex, above
+	EXPECT_TRUE(detail::intersect(triangle(0, 1, 2), triangle(0, 4, 3)));  // joined at a vertex, through
+	EXPECT_FALSE(detail::intersect(triangle(0, 1, 2), triangle(1, 4, 5))); // the same on the other side
 }
 
 TEST(IndexedHeap, HandsOutTheLargestKeyFirstWhateverItsHistory) {

@@ -4,63 +4,33 @@
 
 #include "../assemble_patches.h"
 #include "../progress.h"
-#include "../report.h"
 #include "indexed_heap.h"
 #include "local_state.h"
+#include "self_intersections.h"
 
 #include <cstdio>
 
-namespace developable {
-
-struct LocalMethodOptions {
-	static constexpr double meanEdge = -1;
-
-	double angleTolerance = 1e-4; ///< √ε: stop when the largest abs(g) of a movable copy is this small, rad
-	double maxDisplacement = meanEdge; ///< δ_T: largest move along the original normal, length; -1: L̄
-	long maxOperations = 500000;       ///< N_max
-};
-
-struct LocalMethodReport : OptimizationReport {
-	long setAside = 0; ///< vertices that could not move any more when the run ended
-};
-
-namespace detail {
+namespace developable::detail {
 
 class LocalOptimizer {
 public:
 	LocalOptimizer(const PatchAssembly& assembly, const Positions& positions,
 				   const LocalMethodOptions& options)
-		: assembly_(assembly), options_(options), state_(assembly, positions), heap_(assembly.copyCount()),
+		: assembly_(assembly), options_(options), movers_(assembly, positions, options.assemblingVertices),
+		  state_(assembly, positions, movers_), heap_(assembly.placeCount()),
 		  limit_(options.maxDisplacement == LocalMethodOptions::meanEdge ? meanEdgeLength(assembly)
-																		 : options.maxDisplacement) {}
+																		 : options.maxDisplacement),
+		  smoothing_(options.smoothing / std::pow(meanEdgeLength(assembly), 2)),
+		  intersections_(assembly, positions, options.avoidSelfIntersections ? limit_ : 0) {}
 
 	LocalMethodReport run(Positions& positions, const Progress& progress) {
 		if (allDevelopable())
 			return report_;
 		fillHeap();
-		if (heap_.empty())
-			throw NothingFree(
-				"No vertex can move: those with an angle defect lie on seams or are held still. "
-				"Hold fewer vertices still, or use the global method.");
 		startValue_ = lowestValue_ = state_.detectFunction();
-		const long patience = 20L * heap_.size();
-		report_.status = Status::Stalled;
-		while (!heap_.empty() && heap_.topKey() > options_.angleTolerance * options_.angleTolerance) {
-			if (report_.iterations - lowestAt_ > patience)
-				break;
-			if (report_.iterations == options_.maxOperations) {
-				report_.status = Status::LimitReached;
-				break;
-			}
-			if (report_.iterations % operationsPerReport == 0 &&
-				!mayGoOn(progress, fractionDone(), inWords())) {
-				report_.status = Status::Stopped;
-				return report_;
-			}
-			visit(heap_.top());
-			++report_.iterations;
-			rememberLowest();
-		}
+		report_.status = visitAll(progress);
+		if (report_.status == Status::Stopped)
+			return report_;
 		returnToLowest();
 		if (allDevelopable())
 			report_.status = Status::Converged;
@@ -71,50 +41,120 @@ public:
 private:
 	static constexpr long operationsPerReport = 4096;
 
-	/// How high a copy was before a move.
+	/// How high a place was before a move.
 	struct Move {
-		int copy;
+		int place;
 		double height;
 	};
 
-	bool movable(int copy) const {
-		const int place = assembly_.placeOfCopy[copy];
-		return assembly_.copyInterior[copy] && !assembly_.placeAssembling[place] &&
-			   !assembly_.placeFixed[place] && state_.hasNormal(copy);
-	}
-
 	bool allDevelopable() const { return state_.defects().cwiseAbs().maxCoeff() <= options_.angleTolerance; }
 
-	void rekey(int copy) { heap_.set(copy, state_.defects()[copy] * state_.defects()[copy]); }
+	/// The place with the largest g² comes first. Where patches meet g may be 0 in each of them though a move
+	/// would help the neighbours: there the largest g² among the terms of T counts.
+	double key(int place) const {
+		if (movers_.own[place] > 1)
+			return state_.largestSquaredDefect(place);
+		const double defect = state_.defects()[*movers_.affected.of(place).begin()];
+		return defect * defect;
+	}
 
 	void fillHeap() {
-		movable_.resize(assembly_.copyCount());
-		for (int copy = 0; copy < assembly_.copyCount(); ++copy) {
-			movable_[copy] = movable(copy);
-			if (movable_[copy])
-				rekey(copy);
+		for (int place = 0; place < assembly_.placeCount(); ++place)
+			if (movers_.movable[place])
+				heap_.set(place, key(place));
+		if (heap_.empty())
+			throw NothingFree(
+				"No vertex can move: those with an angle defect lie on seams or are held still. "
+				"Hold fewer vertices still, or use the global method.");
+	}
+
+	Status visitAll(const Progress& progress) {
+		const long patience = 20L * heap_.size();
+		while (!heap_.empty() && heap_.topKey() > options_.angleTolerance * options_.angleTolerance) {
+			if (report_.iterations - lowestAt_ > patience)
+				return Status::Stalled;
+			if (report_.iterations == options_.maxOperations)
+				return Status::LimitReached;
+			if (report_.iterations % operationsPerReport == 0 &&
+				!mayGoOn(progress, fractionDone(), inWords()))
+				return Status::Stopped;
+			++report_.iterations;
+			visit(heap_.top());
+			rememberLowest();
+		}
+		return Status::Stalled;
+	}
+
+	/// T (Eq. 15), and with `smoothing` the mean square difference in height to the neighbours, in edge
+	/// lengths.
+	double objective(int place) const {
+		const double value = state_.localDetectFunction(place);
+		return smoothing_ > 0 ? value + smoothing_ * state_.unevenness(place) : value;
+	}
+
+	double objectiveDerivative(int place) const {
+		const double derivative = state_.localDerivative(place);
+		return smoothing_ > 0 ? derivative + smoothing_ * state_.unevennessDerivative(place) : derivative;
+	}
+
+	/// The height that Eq. 19 asks for, within ±δ_T.
+	double wantedHeight(int place) const {
+		const double step = -objective(place) / objectiveDerivative(place);
+		return std::isfinite(step) ? std::clamp(state_.height(place) + step, -limit_, limit_)
+								   : state_.height(place);
+	}
+
+	/// One update of δ, or none: then the place is set aside until a neighbour moves.
+	void visit(int place) {
+		const double before = state_.height(place);
+		if (move(place, before, wantedHeight(place))) {
+			moves_.push_back({place, before});
+			rekeyRound(place);
+		} else {
+			heap_.remove(place);
+			++report_.setAside;
 		}
 	}
 
-	/// One update of δ by Eq. 19, taken whether or not it lowers T.
-	void visit(int copy) {
-		const double before = state_.height(copy);
-		const double step = state_.localDetectFunction(copy) / state_.localDerivative(copy);
-		const double after = std::clamp(before - step, -limit_, limit_);
-		if (!std::isfinite(step) || after == before) {
-			heap_.remove(copy); // until a neighbour moves
-			++report_.setAside;
+	/// The paper takes every move; `descent` and `avoidSelfIntersections` halve it until it is acceptable.
+	/// \return false when the place is where it was
+	bool move(int place, double before, double wanted) {
+		constexpr int mostHalvings =
+			10; // fewer give up too soon, more lose themselves in moves that gain nothing
+		if (wanted == before)
+			return false;
+		const double startValue = options_.descent ? objective(place) : 0;
+		bool intersected = false;
+		for (int halving = 0; halving <= mostHalvings; ++halving) {
+			state_.moveTo(place, before + std::ldexp(wanted - before, -halving));
+			const bool descended = !options_.descent || objective(place) < startValue;
+			const bool intersects = descended && options_.avoidSelfIntersections &&
+									intersections_.newOnes(movers_, place, state_.positions());
+			if (descended && !intersects)
+				return true;
+			intersected |= intersects;
+		}
+		state_.moveTo(place, before);
+		if (options_.avoidSelfIntersections)
+			intersections_.update(movers_, place, state_.positions());
+		report_.refusedMoves += intersected;
+		return false;
+	}
+
+	void rekeyRound(int place) {
+		rekey(place);
+		for (const int copy : movers_.affected.of(place)) {
+			rekey(assembly_.placeOfCopy[copy]);
+			for (const int watcher : movers_.watchers.of(copy))
+				rekey(watcher);
+		}
+	}
+
+	void rekey(int place) {
+		if (!movers_.movable[place])
 			return;
-		}
-		moves_.push_back({copy, before});
-		state_.moveTo(copy, after);
-		rekey(copy);
-		for (const int neighbour : state_.neighbours(copy)) {
-			if (!movable_[neighbour])
-				continue;
-			report_.setAside -= !heap_.contains(neighbour);
-			rekey(neighbour);
-		}
+		report_.setAside -= !heap_.contains(place);
+		heap_.set(place, key(place));
 	}
 
 	/// The way back to the lowest state is the list of moves since; at a new low it is empty.
@@ -128,7 +168,7 @@ private:
 
 	void returnToLowest() {
 		for (auto move = moves_.rbegin(); move != moves_.rend(); ++move)
-			state_.moveTo(move->copy, move->height);
+			state_.moveTo(move->place, move->height);
 		moves_.clear();
 	}
 
@@ -145,15 +185,16 @@ private:
 
 	const PatchAssembly& assembly_;
 	const LocalMethodOptions& options_;
+	Movers movers_;
 	LocalState state_;
 	IndexedHeap heap_;
 	double limit_;
-	std::vector<char> movable_;
+	double smoothing_; // rad² / length²
+	SelfIntersections intersections_;
 	std::vector<Move> moves_;
 	double startValue_ = 0, lowestValue_ = 0;
 	long lowestAt_ = 0;
 	LocalMethodReport report_;
 };
 
-} // namespace detail
-} // namespace developable
+} // namespace developable::detail

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// triangle_intersection.h: whether two triangles of a surface cut each other, other than where they are
+// joined.
+#pragma once
+
+#include "../triangle_mesh.h"
+
+#include <Eigen/Geometry>
+
+#include <vcg/space/intersection/triangle_triangle3.h>
+
+namespace developable::detail {
+
+/// The three corners of a triangle with its normal and box, and the object vertices they lie at.
+struct PlacedTriangle {
+	Eigen::Vector3i places;
+	Eigen::Matrix3d corners;
+	Eigen::Vector3d normal;
+	Eigen::AlignedBox3d box;
+
+	PlacedTriangle(const Eigen::Vector3i& at, const Positions& positions) : places(at) {
+		for (int corner = 0; corner < 3; ++corner)
+			corners.col(corner) = positions.col(at[corner]);
+		normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
+		box = {corners.rowwise().minCoeff(), corners.rowwise().maxCoeff()};
+	}
+
+	/// Whether a direction in its plane points from a corner strictly into it.
+	bool hasInside(int corner, const Eigen::Vector3d& direction) const {
+		const Eigen::Vector3d at = corners.col(corner), across = normal.cross(direction);
+		return across.dot(corners.col((corner + 1) % 3) - at) < 0 &&
+			   across.dot(corners.col((corner + 2) % 3) - at) > 0;
+	}
+};
+
+/// Which corners of two triangles lie at the same object vertices.
+struct SharedCorners {
+	int count = 0, ofA = 0, ofB = 0; ///< the corners: of the last pair found
+
+	SharedCorners(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
+		for (int i = 0; i < 3; ++i)
+			for (int j = 0; j < 3; ++j)
+				if (a[i] == b[j]) {
+					++count;
+					ofA = i;
+					ofB = j;
+				}
+	}
+};
+
+/// Whether two triangles cut each other. Those that share one vertex do where the line of both their planes
+/// runs into both corners; those that share an edge only when folded flat, which no move hits exactly.
+inline bool intersect(const PlacedTriangle& a, const PlacedTriangle& b) {
+	const SharedCorners shared(a.places, b.places);
+	if (shared.count > 1)
+		return false;
+	if (shared.count == 1) {
+		const Eigen::Vector3d line = a.normal.cross(b.normal);
+		return (a.hasInside(shared.ofA, line) && b.hasInside(shared.ofB, line)) ||
+			   (a.hasInside(shared.ofA, -line) && b.hasInside(shared.ofB, -line));
+	}
+	const auto point = [](const PlacedTriangle& t, int corner) {
+		return vcg::Point3d(t.corners(0, corner), t.corners(1, corner), t.corners(2, corner));
+	};
+	return a.box.intersects(b.box) && vcg::NoDivTriTriIsect(point(a, 0), point(a, 1), point(a, 2),
+															point(b, 0), point(b, 1), point(b, 2));
+}
+
+} // namespace developable::detail
