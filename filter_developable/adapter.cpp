@@ -122,6 +122,8 @@ host::Interface::FilterClass menuClass(const FilterDescription& filter) {
 		return host::Interface::Smoothing;
 	case FilterClass::Quality:
 		return host::Interface::Quality;
+	case FilterClass::Remeshing:
+		return host::Interface::Remeshing;
 	}
 	return host::Interface::Generic;
 }
@@ -129,7 +131,15 @@ host::Interface::FilterClass menuClass(const FilterDescription& filter) {
 int changedElements(const FilterDescription& filter) {
 	const int shown = MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR;
 	const int moved = MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL;
-	return filter.change == Change::Positions ? shown | moved : shown;
+	switch (filter.change) {
+	case Change::Positions:
+		return shown | moved;
+	case Change::Scalars:
+		return shown;
+	case Change::Faces:
+		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
+	}
+	return MeshModel::MM_ALL;
 }
 
 Results runOnDocument(const FilterDescription& filter, MeshDocument& document,

@@ -29,10 +29,10 @@ struct Parameter {
 };
 
 /// The menu that a filter is found in.
-enum class FilterClass { Smoothing, Quality };
+enum class FilterClass { Smoothing, Quality, Remeshing };
 
 /// What a filter changes when it succeeds.
-enum class Change { Positions, Scalars };
+enum class Change { Positions, Scalars, Faces };
 
 struct FilterDescription {
 	std::string name;       ///< in menus and in .mlx scripts

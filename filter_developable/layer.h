@@ -16,6 +16,12 @@ public:
 	/// To be called once after positions were written.
 	void positionsChanged() { host::updateBoxAndNormals(model_); }
 
+	/// To be called once after faces were given other vertices.
+	void facesChanged() {
+		model_.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
+		positionsChanged();
+	}
+
 	void enableVertexQuality() { model_.updateDataMask(MeshModel::MM_VERTQUALITY); }
 	void enableVertexColours() { model_.updateDataMask(MeshModel::MM_VERTCOLOR); }
 

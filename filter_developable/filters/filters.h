@@ -9,9 +9,19 @@ namespace developable::plugin {
 FilterDescription globalDevelopability();
 FilterDescription localDevelopability();
 FilterDescription developabilityMaps();
+#ifdef DEVELOPABLE_HAS_CGAL
+FilterDescription polygonTriangulation();
+#endif
 
 inline std::vector<FilterDescription> allFilters() {
-	return {globalDevelopability(), localDevelopability(), developabilityMaps()};
+	return {
+		globalDevelopability(),
+		localDevelopability(),
+		developabilityMaps(),
+#ifdef DEVELOPABLE_HAS_CGAL
+		polygonTriangulation(),
+#endif
+	};
 }
 
 } // namespace developable::plugin
