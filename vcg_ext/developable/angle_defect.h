@@ -3,6 +3,7 @@
 #pragma once
 
 #include "detail/corner_geometry.h"
+#include "detail/triangle_kernel.h"
 #include "patch_assembly.h"
 
 namespace developable {
@@ -12,11 +13,7 @@ namespace detail {
 /// The cotangents of all corners, 3 x triangles.
 inline Eigen::Matrix3Xd cornerCotangents(const PatchAssembly& assembly, const Positions& positions) {
 	Eigen::Matrix3Xd result(3, assembly.triangleCount());
-	for (int t = 0; t < assembly.triangleCount(); ++t) {
-		const auto places = assembly.trianglePlaces.col(t);
-		result.col(t) = cotangents(
-			TriangleFrame(positions.col(places[0]), positions.col(places[1]), positions.col(places[2])));
-	}
+	allCotangents(positions.data(), assembly.trianglePlaces.data(), assembly.triangleCount(), result.data());
 	return result;
 }
 
@@ -53,15 +50,9 @@ inline double detectFunction(const Eigen::VectorXd& defects) {
 inline Positions weightedDefectGradient(const PatchAssembly& assembly, const Positions& positions,
 										const Eigen::VectorXd& weights) {
 	Positions gradient = Positions::Zero(3, assembly.placeCount());
-	for (int t = 0; t < assembly.triangleCount(); ++t) {
-		const auto places = assembly.trianglePlaces.col(t);
-		const auto copies = assembly.triangleCopies.col(t);
-		const detail::AngleGradients angles(detail::TriangleFrame(
-			positions.col(places[0]), positions.col(places[1]), positions.col(places[2])));
-		const Eigen::Vector3d weight(weights[copies[0]], weights[copies[1]], weights[copies[2]]);
-		for (int vertex = 0; vertex < 3; ++vertex)
-			gradient.col(places[vertex]) -= angles.weighted(weight, vertex);
-	}
+	detail::subtractAngleGradients(positions.data(), assembly.trianglePlaces.data(),
+								   assembly.triangleCopies.data(), assembly.triangleCount(), weights.data(),
+								   gradient.data());
 	return gradient;
 }
 

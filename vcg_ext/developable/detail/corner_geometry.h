@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../constants.h"
+#include "triangle_kernel.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -28,10 +29,9 @@ struct TriangleFrame {
 
 /// The cotangents of a triangle's three corners.
 inline Eigen::Vector3d cotangents(const TriangleFrame& frame) {
-	const double inverseDoubleArea = 1 / frame.normal.norm();
-	return inverseDoubleArea * Eigen::Vector3d(frame.cotangentTimesDoubleArea(0),
-											   frame.cotangentTimesDoubleArea(1),
-											   frame.cotangentTimesDoubleArea(2));
+	const Eigen::Vector3d &u = frame.edge[2], v = -frame.edge[1];
+	const TriangleShape shape = triangleShape({u[0], u[1], u[2]}, {v[0], v[1], v[2]});
+	return {shape.cotangent[0], shape.cotangent[1], shape.cotangent[2]};
 }
 
 /// The vectors r_k = n × e_k / |e_k|², with n the unit normal. A corner's angle θ_i grows by r_j + r_k when
@@ -82,6 +82,14 @@ public:
 	double defect() const { return 2 * pi * (1 - (halfTurns_ + 1) / 2) - std::atan2(imaginary_, real_); }
 
 private:
+	/// The arctangent of a ratio below 0.05, where its series ends soon: most angle defects are small.
+	static double smallArctangent(double ratio) {
+		const double square = ratio * ratio;
+		return ratio *
+			   (1 - square * (1.0 / 3 -
+							  square * (1.0 / 5 - square * (1.0 / 7 - square * (1.0 / 9 - square / 11)))));
+	}
+
 	double real_ = 1, imaginary_ = 0;
 	int halfTurns_ = 0;
 };
