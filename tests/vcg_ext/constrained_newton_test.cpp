@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/constrained_newton.h"
+
+#include "support/finite_differences.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+double smallestAngle(const PatchAssembly& assembly, const Positions& positions) {
+	double smallest = pi;
+	for (const auto& places : assembly.trianglePlaces.colwise())
+		for (int corner = 0; corner < 3; ++corner) {
+			const Eigen::Vector3d at = positions.col(places[corner]);
+			const Eigen::Vector3d a = positions.col(places[(corner + 1) % 3]) - at;
+			const Eigen::Vector3d b = positions.col(places[(corner + 2) % 3]) - at;
+			smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+		}
+	return smallest;
+}
+
+Eigen::Vector3d unitNormal(const PatchAssembly& assembly, const Positions& positions, int triangle) {
+	const auto places = assembly.trianglePlaces.col(triangle);
+	const Eigen::Vector3d a = positions.col(places[1]) - positions.col(places[0]);
+	const Eigen::Vector3d b = positions.col(places[2]) - positions.col(places[0]);
+	return (assembly.triangleReversed[triangle] ? -1 : 1) * a.cross(b).normalized();
+}
+
+int flippedTriangles(const PatchAssembly& assembly, const Positions& positions) {
+	int count = 0;
+	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
+		const int across = assembly.joinedHalfEdge[h];
+		if (across < 0)
+			continue;
+		const auto cosine = [&](const Positions& p) {
+			return unitNormal(assembly, p, h / 3).dot(unitNormal(assembly, p, across / 3));
+		};
+		count += cosine(assembly.originalPositions) > 0 && !(cosine(positions) >= -0.5);
+	}
+	return count;
+}
+
+double meanDisplacement(const PatchAssembly& assembly, const Positions& positions) {
+	const Positions& original = assembly.originalPositions;
+	const double diagonal = (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
+	return (positions - original).colwise().norm().mean() / diagonal;
+}
+
+/// What no result may suffer.
+void expectSound(const PatchAssembly& assembly, const Positions& positions) {
+	ASSERT_TRUE(positions.allFinite());
+	EXPECT_EQ(flippedTriangles(assembly, positions), 0);
+	EXPECT_GE(smallestAngle(assembly, positions),
+			  std::min(smallestAngle(assembly, assembly.originalPositions) / 2, 2 * pi / 180));
+}
+
+/// Runs to the end and checks everything that "converged" promises.
+Positions expectConverges(const PatchAssembly& assembly, double mostMeanDisplacement) {
+	Positions positions = assembly.originalPositions;
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+	EXPECT_EQ(report.status, Status::Converged);
+	const Eigen::VectorXd defects = angleDefects(assembly, positions);
+	EXPECT_LE(defects.cwiseAbs().maxCoeff(), 1e-4);
+	for (int patch = 0; patch < assembly.patchCount(); ++patch) {
+		double curvature = 0;
+		for (int copy = 0; copy < assembly.copyCount(); ++copy)
+			curvature += assembly.patchOfCopy[copy] == patch ? std::abs(defects[copy]) : 0;
+		EXPECT_LE(curvature, 1e-4);
+		EXPECT_NEAR(report.patchCurvature[patch], curvature, 1e-12);
+	}
+	EXPECT_LE(meanDisplacement(assembly, positions), mostMeanDisplacement);
+	expectSound(assembly, positions);
+	return positions;
+}
+
+Eigen::Vector3d largeSaddle(double u, double v) {
+	const double x = 2 * u - 1, y = 2 * v - 1;
+	return {x, y, (x * x - y * y) / 2};
+}
+
+Eigen::Vector3d wave(double u, double v) {
+	return {u, v, 0.05 * std::sin(6 * u) * std::cos(5 * v)};
+}
+
+Eigen::Vector3d steepBump(double u, double v) {
+	const double x = u - 0.5, y = v - 0.5;
+	return {x, y, 0.35 * std::exp(-30 * (x * x + y * y))};
+}
+
+/// The instep of a shoe: a tunnel that widens and rises.
+Eigen::Vector3d vamp(double u, double v) {
+	const double angle = 3 * (u - 0.5), width = 0.4 + 0.25 * v * v, height = 0.35 + 0.5 * v * v;
+	return {width * std::sin(angle), 1.2 * v, height * std::cos(angle)};
+}
+
+/// A grid without the triangles for which a condition on the cell's column and row holds.
+template <class Condition>
+TriangleMesh without(const TriangleMesh& mesh, int columns, const Condition& condition) {
+	std::vector<int> kept;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const int cell = t / 2;
+		if (!condition(cell % (columns - 1), cell / (columns - 1)))
+			kept.push_back(t);
+	}
+	return makeMesh(mesh.positions, mesh.triangles(Eigen::all, kept));
+}
+
+TriangleMesh withTwoHoles(int columns, const Surface& surface) {
+	return without(jitteredGrid(columns, columns, surface), columns, [&](int column, int row) {
+		const double u = double(column) / columns, v = double(row) / columns;
+		return std::hypot(u - 0.3, v - 0.35) < 0.1 || std::hypot(u - 0.65, v - 0.6) < 0.12;
+	});
+}
+
+TriangleMesh noisy(TriangleMesh mesh, double shareOfEdge) {
+	const double amount = shareOfEdge * meanEdgeLength(assembled(mesh));
+	std::mt19937 random(11);
+	for (double& coordinate : mesh.positions.reshaped())
+		coordinate += amount * (4.0 * random() / std::mt19937::max() - 2); // standard deviation 1.15
+	return mesh;
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeNearSmoothOnes) {
+	expectConverges(assembled(jitteredGrid(31, 31, sphereCap(1))), 0.013);
+	expectConverges(assembled(jitteredGrid(31, 31, largeSaddle)), 0.045);
+	expectConverges(assembled(jitteredGrid(31, 31, bumpedCylinder)), 0.006);
+	expectConverges(assembled(jitteredGrid(31, 31, wave)), 0.007);
+	expectConverges(assembled(jitteredGrid(31, 31, vamp)), 0.015);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeFromASteepBump) {
+	expectConverges(assembled(jitteredGrid(31, 31, steepBump)), 0.04);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeAroundHoles) {
+	const PatchAssembly assembly = assembled(withTwoHoles(31, bumpedCylinder));
+	ASSERT_EQ(assembly.patches[0].eulerCharacteristic(), -1);
+	expectConverges(assembly, 0.005);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeThroughNoise) {
+	expectConverges(assembled(noisy(jitteredGrid(31, 31, bumpedCylinder), 0.02)), 0.006);
+	expectConverges(assembled(noisy(jitteredGrid(31, 31, wave), 0.02)), 0.007);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeWithThinTriangles) {
+	expectConverges(assembled(jitteredGrid(11, 91, bumpedCylinder, 0.2)), 0.008);
+}
+
+TEST(ConstrainedNewton, KeepsSeamsClosedAndConvergesInEveryPatch) {
+	const TriangleMesh left = jitteredGrid(16, 16, saddle);
+	TriangleMesh right = left;
+	right.positions.row(0) = 2 - right.positions.row(0).array(); // mirrored at x = 1
+	const PatchAssembly assembly = assembled(together(left, right));
+	ASSERT_EQ(assembly.patchCount(), 2);
+	ASSERT_EQ(assembly.assemblingPlaceCount(), 16); // one place, one position: a seam cannot open
+	expectConverges(assembly, 0.02);
+}
+
+TEST(ConstrainedNewton, LeavesDevelopableShapesAlone) {
+	const TriangleMesh sheet = jitteredGrid(41, 41, flatSheet);
+	const TriangleMesh maze = without(sheet, 41, [](int column, int row) {
+		return row % 4 == 1 && (row % 8 == 1 ? column < 37 : column > 2);
+	});
+	for (const TriangleMesh& mesh : {sheet, maze, grid(12, 9, quarterCylinder), grid(15, 7, coneBand)}) {
+		const PatchAssembly assembly = assembled(mesh);
+		Positions positions = assembly.originalPositions;
+		EXPECT_EQ(constrainedNewton(assembly, positions, {}).status, Status::NothingToDo);
+		EXPECT_EQ(positions, assembly.originalPositions);
+	}
+}
+
+TEST(ConstrainedNewton, DoesNotDependOnScalePlaceOrRotation) {
+	const TriangleMesh mesh = jitteredGrid(21, 21, bumpedCylinder);
+	const Positions expected = expectConverges(assembled(mesh), 0.01);
+	for (const double scale : {1e-3, 1e4}) {
+		const Eigen::Vector3d shift = scale * Eigen::Vector3d(3, -2, 1);
+		TriangleMesh other = mesh;
+		other.positions = moved(mesh.positions, scale, shift);
+		const Positions result = expectConverges(assembled(other), 0.01);
+		EXPECT_LT((result - moved(expected, scale, shift)).cwiseAbs().maxCoeff(), 1e-6 * scale);
+	}
+}
+
+TEST(ConstrainedNewton, DoesNotDependOnTheOrderOfVertices) {
+	const TriangleMesh mesh = jitteredGrid(21, 21, bumpedCylinder);
+	const Positions expected = expectConverges(assembled(mesh), 0.01);
+	std::vector<int> order(mesh.vertexCount());
+	std::iota(order.begin(), order.end(), 0);
+	std::shuffle(order.begin(), order.end(), std::mt19937(5));
+	TriangleMesh shuffled = mesh;
+	for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+		shuffled.positions.col(order[vertex]) = mesh.positions.col(vertex);
+	for (int& vertex : shuffled.triangles.reshaped())
+		vertex = order[vertex];
+	const Positions result = expectConverges(assembled(shuffled), 0.01);
+	EXPECT_LT((result(Eigen::all, order) - expected).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(ConstrainedNewton, GivesTheSameBitsOnEveryRun) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, saddle));
+	EXPECT_EQ(expectConverges(assembly, 0.05), expectConverges(assembly, 0.05));
+}
+
+TEST(ConstrainedNewton, LeavesHeldPlacesWhereTheyAre) {
+	TriangleMesh mesh = jitteredGrid(21, 21, bumpedCylinder);
+	for (int vertex = 0; vertex < 21; ++vertex)
+		mesh.vertexSelected[vertex] = 1;
+	PatchOptions options;
+	options.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, options);
+	const Positions positions = expectConverges(assembly, 0.01);
+	EXPECT_EQ(positions.leftCols(21), mesh.positions.leftCols(21));
+}
+
+TEST(ConstrainedNewton, SaysThatHeldPlacesMakeTheGoalImpossible) {
+	TriangleMesh mesh = jitteredGrid(15, 15, bumpedCylinder);
+	for (int row = 0; row < 15; ++row)
+		for (int column = 0; column < 15; ++column)
+			mesh.vertexSelected[15 * row + column] = std::max(std::abs(row - 7), std::abs(column - 7)) > 2;
+	PatchOptions options;
+	options.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, options);
+	Positions positions = assembly.originalPositions;
+	const Measures before = measure(assembly, positions, 1e-4);
+	EXPECT_EQ(constrainedNewton(assembly, positions, {}).status, Status::Stalled);
+	const Measures after = measure(assembly, positions, 1e-4);
+	EXPECT_LT(after.detectFunction, before.detectFunction);
+	expectSound(assembly, positions);
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		if (assembly.placeFixed[place]) {
+			EXPECT_EQ(positions.col(place), assembly.originalPositions.col(place));
+		}
+}
+
+TEST(ConstrainedNewton, SaysThatAShapeWithAShortRimNeedsACut) {
+	TriangleMesh mesh = sphere(1, 3);
+	mesh.triangles = mesh.triangles.rightCols(mesh.triangleCount() - 4).eval(); // a hole of four triangles
+	const PatchAssembly assembly = assembled(makeMesh(mesh.positions, mesh.triangles));
+	Positions positions = assembly.originalPositions;
+	const Measures before = measure(assembly, positions, 1e-4);
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+	const Measures after = measure(assembly, positions, 1e-4);
+	EXPECT_EQ(report.status, Status::NeedsCut);
+	EXPECT_LT(after.detectFunction, before.detectFunction);
+	EXPECT_LT(after.totalAbsoluteCurvature, before.totalAbsoluteCurvature);
+	EXPECT_NEAR(report.patchCurvature[report.worstPatch], after.totalAbsoluteCurvature, 1e-9);
+	EXPECT_NEAR(std::abs(angleDefects(assembly, positions)[report.worstCopy]), after.maxAngleDefect, 1e-15);
+	expectSound(assembly, positions);
+}
+
+TEST(ConstrainedNewton, MovesMoreAndBendsLessWithMoreSmoothness) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, wave));
+	double last = 0;
+	for (const double smoothness : {1e-6, 1e-5, 1e-4}) {
+		Positions positions = assembly.originalPositions;
+		ConstrainedNewtonOptions options;
+		options.smoothness = smoothness;
+		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+		EXPECT_GT(meanDisplacement(assembly, positions), last);
+		last = meanDisplacement(assembly, positions);
+	}
+}
+
+TEST(ConstrainedNewton, StopsWhenAskedAndLeavesThePositions) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, saddle));
+	Positions positions = assembly.originalPositions;
+	int calls = 0;
+	double last = 0;
+	const Progress stopSoon = [&](double done, const std::string&) {
+		EXPECT_GE(done, 0);
+		EXPECT_LE(done, 1);
+		last = done;
+		return ++calls < 20;
+	};
+	EXPECT_EQ(constrainedNewton(assembly, positions, {}, stopSoon).status, Status::Stopped);
+	EXPECT_EQ(calls, 20);
+	EXPECT_EQ(positions, assembly.originalPositions);
+}
+
+TEST(ConstrainedNewton, EndsAtItsLimitOfIterations) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, saddle));
+	Positions positions = assembly.originalPositions;
+	ConstrainedNewtonOptions options;
+	options.maxIterations = 3;
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, options);
+	EXPECT_EQ(report.status, Status::LimitReached);
+	EXPECT_EQ(report.iterations, 3);
+	EXPECT_LT(measure(assembly, positions, 1e-4).totalAbsoluteCurvature,
+			  measure(assembly, assembly.originalPositions, 1e-4).totalAbsoluteCurvature);
+}
+
+TEST(ConstrainedNewton, RefusesOptionsOutOfRange) {
+	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, saddle));
+	Positions positions = assembly.originalPositions;
+	const auto refused = [&](auto change) {
+		ConstrainedNewtonOptions options;
+		change(options);
+		EXPECT_THROW(constrainedNewton(assembly, positions, options), InvalidParameter);
+	};
+	refused([](auto& options) { options.curvatureTolerance = 0; });
+	refused([](auto& options) { options.angleTolerance = -1; });
+	refused([](auto& options) { options.maxIterations = 0; });
+	refused([](auto& options) { options.smoothness = 0; });
+	refused([](auto& options) { options.smoothness = std::nan(""); });
+	const PatchAssembly closed = assembled(octahedron());
+	Positions octahedronPositions = closed.originalPositions;
+	EXPECT_THROW(constrainedNewton(closed, octahedronPositions, {}), ClosedPatch);
+}
+
+TEST(DefectJacobian, AgreesWithCentralDifferences) {
+	const TriangleMesh left = jitteredGrid(6, 7, saddle);
+	TriangleMesh right = left;
+	right.positions.row(0) = 2 - right.positions.row(0).array();
+	TriangleMesh mesh = together(left, right);
+	mesh.vertexSelected[9] = 1;
+	PatchOptions options;
+	options.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, options);
+	const detail::BendingMetric metric(assembly, Eigen::VectorXd::Constant(2, 1e-3));
+	detail::DefectJacobian jacobian(assembly, metric.placeMass());
+	jacobian.linearize(assembly.originalPositions);
+	Eigen::MatrixXd rows(jacobian.rowCount(), 3 * assembly.placeCount());
+	for (int row = 0; row < jacobian.rowCount(); ++row) {
+		const Positions gradient = jacobian.applyTransposed(Eigen::VectorXd::Unit(jacobian.rowCount(), row));
+		Positions differences = centralDifferences(
+			[&](const Positions& p) { return jacobian.scaled(angleDefects(assembly, p))[row]; },
+			assembly.originalPositions);
+		for (int place = 0; place < assembly.placeCount(); ++place)
+			if (assembly.placeFixed[place])
+				differences.col(place).setZero();
+		EXPECT_LT((gradient - differences).norm(), 1e-6 * differences.norm());
+		rows.row(row) = gradient.reshaped().transpose();
+	}
+	// The other two ways to use the same derivative.
+	const Positions displacement = Positions::Random(3, assembly.placeCount());
+	EXPECT_LT((jacobian.apply(displacement) - rows * displacement.reshaped()).norm(), 1e-10 * rows.norm());
+	const Eigen::VectorXd inverseMass =
+		metric.placeMass().cwiseInverse().transpose().replicate(3, 1).reshaped();
+	const Eigen::MatrixXd product = rows * inverseMass.asDiagonal() * rows.transpose();
+	const Eigen::MatrixXd lower = jacobian.massProduct(0);
+	EXPECT_LT((lower - Eigen::MatrixXd(product.triangularView<Eigen::Lower>())).norm(),
+			  1e-12 * product.norm());
+}
+
+TEST(BendingMetric, OfAnAffineDisplacementOfASheetIsItsMeanSquare) {
+	const PatchAssembly assembly = assembled(jitteredGrid(9, 12, flatSheet));
+	const detail::BendingMetric metric(assembly, Eigen::VectorXd::Constant(1, 1));
+	Eigen::Matrix3d slope;
+	slope << 0.3, -0.2, 1, 0.5, 0.1, 0.4, -0.7, 0.2, 0.6;
+	const Positions affine = (slope * assembly.originalPositions).colwise() + Eigen::Vector3d(1, 2, 3);
+	double meanSquare = 0;
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		meanSquare += metric.placeMass()[place] * affine.col(place).squaredNorm();
+	EXPECT_NEAR(metric.placeMass().sum(), 1, 1e-13);
+	EXPECT_NEAR(metric.squaredNorm(affine), meanSquare, 1e-9 * meanSquare);
+	EXPECT_LT((metric.solve(metric.apply(affine)) - affine).norm(), 1e-8 * affine.norm());
+}
+
+TEST(BendingMetric, TendsToTheThinPlateWithoutUnit) {
+	// d = x²/2s² along z on a sheet of side s: the bending part is α s⁴ · (∫ (d'')² = 1/s²) / s² = α.
+	double error = 1;
+	for (const int cells : {8, 16, 32}) {
+		for (const double scale : {1.0, 20.0}) {
+			TriangleMesh mesh = grid(cells + 1, cells + 1, flatSheet);
+			mesh.positions *= scale;
+			const PatchAssembly assembly = assembled(mesh);
+			const auto squaredNorm = [&](double smoothness) {
+				Positions displacement = Positions::Zero(3, assembly.placeCount());
+				displacement.row(2) =
+					assembly.originalPositions.row(0).array().square() / (2 * scale * scale);
+				return detail::BendingMetric(assembly, Eigen::VectorXd::Constant(1, smoothness))
+					.squaredNorm(displacement);
+			};
+			const double bending = (squaredNorm(2e-3) - squaredNorm(1e-3)) / 1e-3;
+			if (scale == 1.0)
+				error = std::abs(bending - 1);
+			EXPECT_NEAR(bending, 1, 0.35) << cells;
+		}
+	}
+	EXPECT_LT(error, 0.35);
+}
+
+TEST(Soundness, SeesFlipsAndSlivers) {
+	const PatchAssembly assembly = assembled(grid(5, 5, flatSheet));
+	const detail::Soundness soundness(assembly);
+	EXPECT_TRUE(soundness.holds(assembly.originalPositions));
+	Positions sliver = assembly.originalPositions;
+	sliver(0, 12) = 0.999 * sliver(0, 13) + 0.001 * sliver(0, 12); // the middle almost on its right neighbour
+	EXPECT_FALSE(soundness.holds(sliver));
+	Positions flipped = assembly.originalPositions;
+	flipped(0, 12) += 0.4; // and beyond it
+	EXPECT_FALSE(soundness.holds(flipped));
+	Positions missing = assembly.originalPositions;
+	missing(1, 3) = std::nan("");
+	EXPECT_FALSE(soundness.holds(missing));
+}
+
+} // namespace
+} // namespace developable::test

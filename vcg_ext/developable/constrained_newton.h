@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// constrained_newton.h: the nearest developable shape: g = 0 in every patch, at minimum deformation (Eq. 6).
+#pragma once
+
+#include "assemble_patches.h"
+#include "detail/newton_attempt.h"
+#include "progress.h"
+#include "report.h"
+
+namespace developable {
+
+struct ConstrainedNewtonOptions {
+	double curvatureTolerance = 1e-4; ///< total absolute curvature of a patch that counts as developable, rad
+	double angleTolerance = 1e-4;     ///< greatest angle defect of a developable point, rad
+	int maxIterations = 200;          ///< steps, each with one linear system
+	/// Weight α of bending against distance, without unit (see detail::BendingMetric). Larger: fewer
+	/// wrinkles, and the surface moves more.
+	double smoothness = 3e-6;
+};
+
+struct ConstrainedNewtonReport : OptimizationReport {
+	/// Total absolute curvature that each patch is left with, rad, in double precision.
+	std::vector<double> patchCurvature;
+	int worstPatch = 0;    ///< the patch with most of it left
+	int worstCopy = 0;     ///< the copy of that patch with the largest absolute angle defect
+	double smoothness = 0; ///< the largest α that a patch was given; more than asked for where that failed
+};
+
+namespace detail {
+
+inline void requireValid(const ConstrainedNewtonOptions& options) {
+	const auto require = [](bool valid, const std::string& what) {
+		if (!valid)
+			throw InvalidParameter(what);
+	};
+	require(options.curvatureTolerance > 0, "The curvature tolerance must be greater than 0.");
+	require(options.angleTolerance > 0, "The angle tolerance must be greater than 0.");
+	require(options.maxIterations >= 1, "The limit of iterations must be at least 1.");
+	require(options.smoothness > 0 && options.smoothness <= 1,
+			"The smoothness must be greater than 0 and at most 1.");
+}
+
+/// What of the report is read off the shape.
+inline void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
+						  ConstrainedNewtonReport& report) {
+	report.patchCurvature.assign(assembly.patchCount(), 0);
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		report.patchCurvature[assembly.patchOfCopy[copy]] += std::abs(defects[copy]);
+	report.worstPatch =
+		static_cast<int>(std::max_element(report.patchCurvature.begin(), report.patchCurvature.end()) -
+						 report.patchCurvature.begin());
+	double worst = -1;
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		if (assembly.patchOfCopy[copy] == report.worstPatch && std::abs(defects[copy]) > worst) {
+			worst = std::abs(defects[copy]);
+			report.worstCopy = copy;
+		}
+}
+
+} // namespace detail
+
+/// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
+/// most the curvature tolerance and no angle defect above the angle tolerance. No triangle is flipped and
+/// none becomes a sliver (see detail::Soundness). Where the smoothness asked for leads nowhere, patches are
+/// tried again with ten and a hundred times as much. \param positions  3 x places; where to start, and the
+/// result. Distance is measured from the assembly's
+///                   original positions. Untouched when stopped.
+/// \return           Converged; NothingToDo; NeedsCut when no patch with that boundary is developable near
+/// the
+///                   original; Stalled when places that are held still stand in the way (what is returned
+///                   then has the least Σ g²/area that could be reached); LimitReached; Stopped
+/// \throws ClosedPatch, NothingFree, InvalidParameter
+inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positions& positions,
+												 const ConstrainedNewtonOptions& options,
+												 const Progress& progress = {}) {
+	detail::requireValid(options);
+	requireOpenPatches(assembly);
+	requireFreePlaces(assembly);
+	const detail::CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance};
+	ConstrainedNewtonReport report;
+	Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(assembly.patchCount(), options.smoothness);
+	Eigen::VectorXd defects = angleDefects(assembly, positions);
+	if (!goal.unmetPatches(assembly, defects).any()) {
+		detail::describeShape(assembly, defects, report);
+		return report;
+	}
+	const bool held =
+		std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
+	const double curvatureBefore = defects.cwiseAbs().sum();
+	double least = detectFunction(defects);
+	Positions best = positions;
+	for (int attempt = 0; attempt < 3; ++attempt) {
+		detail::NewtonAttempt run(assembly, smoothness, goal, progress);
+		const detail::NewtonOutcome outcome =
+			run.run(positions, options.maxIterations - static_cast<int>(report.iterations));
+		report.iterations += outcome.iterations;
+		report.status = outcome.status;
+		if (outcome.status == Status::Stopped)
+			return report;
+		defects = angleDefects(assembly, outcome.positions);
+		// A little less curvature is not worth the greater distance of a second attempt.
+		const bool better = detectFunction(defects) < (attempt == 0 ? 1 : 0.1) * least;
+		if (better && (held || defects.cwiseAbs().sum() < curvatureBefore)) {
+			least = detectFunction(defects);
+			best = outcome.positions;
+			report.smoothness = smoothness.maxCoeff();
+		}
+		if (outcome.status != Status::Stalled)
+			break;
+		smoothness = goal.unmetPatches(assembly, defects).select(10 * smoothness, smoothness);
+	}
+	positions = best;
+	defects = angleDefects(assembly, positions);
+	detail::describeShape(assembly, defects, report);
+	if (report.status == Status::Stalled && !held)
+		report.status = Status::NeedsCut;
+	return report;
+}
+
+} // namespace developable

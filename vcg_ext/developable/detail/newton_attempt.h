@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_attempt.h: one run of the constrained Newton method, from the original towards g = 0.
+#pragma once
+
+#include "../progress.h"
+#include "../report.h"
+#include "multiplier_solver.h"
+#include "soundness.h"
+
+namespace developable::detail {
+
+/// When a patch counts as developable.
+struct CurvatureGoal {
+	double curvatureTolerance, angleTolerance;
+
+	/// Per patch, whether it is not there yet.
+	Eigen::Array<bool, Eigen::Dynamic, 1> unmetPatches(const PatchAssembly& assembly,
+													   const Eigen::VectorXd& defects) const {
+		Eigen::ArrayXd curvature = Eigen::ArrayXd::Zero(assembly.patchCount()), greatest = curvature;
+		for (int copy = 0; copy < assembly.copyCount(); ++copy) {
+			const int patch = assembly.patchOfCopy[copy];
+			curvature[patch] += std::abs(defects[copy]);
+			greatest[patch] = std::max(greatest[patch], std::abs(defects[copy]));
+		}
+		return !(curvature <= curvatureTolerance && greatest <= angleTolerance);
+	}
+};
+
+struct NewtonOutcome {
+	Status status = Status::Stalled;
+	int iterations = 0;
+	Positions positions;
+};
+
+/// With d = x − x0 the displacement and g the scaled defects, both parts of the run take Gauss-Newton steps
+/// on φ(x) = τ ½‖d‖²_W + 1/(2ε) |g|², found from their multipliers y:
+///     (J W⁻¹ Jᵀ + ε) y = g − τ J d,    s = −τ d − W⁻¹ Jᵀ y.
+/// The *path*, τ = 1, starts with a large ε and lessens it: x(ε) leaves the original continuously and ends,
+/// as ε → 0, where ‖d‖_W is least among the shapes with g = 0. When next to nothing is left of the curvature
+/// the *landing*, τ = 0, takes the shortest steps to g = 0, which converge quadratically.
+class NewtonAttempt {
+public:
+	NewtonAttempt(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness, const CurvatureGoal& goal,
+				  const Progress& progress)
+		: assembly_(assembly), goal_(goal), progress_(progress), metric_(assembly, smoothness),
+		  jacobian_(assembly, metric_.placeMass()), solver_(metric_, jacobian_), soundness_(assembly) {}
+
+	NewtonOutcome run(const Positions& start, int maxIterations) {
+		maxIterations_ = maxIterations;
+		const Positions& original = assembly_.originalPositions;
+		farthest_ = farthestShare * (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
+		lastNear_ = start;
+		moveTo(stateAt(start));
+		startCurvature_ = state_.curvature;
+		jacobian_.linearize(start);
+		epsilon_ = greatestResponse() / 4;
+		leastEpsilon_ = 4e-5 * epsilon_;
+		NewtonOutcome outcome;
+		outcome.status = followPath();
+		if (outcome.status == Status::Stalled)
+			outcome.status = land();
+		outcome.iterations = iterations_;
+		outcome.positions = state_.reached ? state_.positions : lastNear_;
+		return outcome;
+	}
+
+private:
+	/// How far, as a share of the diagonal, a place may go in a result that is not developable.
+	static constexpr double farthestShare = 0.2;
+	static constexpr int idleLimit = 5; ///< landing steps in a row that remove less than a hundredth of |g|²
+
+	struct State {
+		Positions positions;
+		Eigen::VectorXd scaled;     // g
+		double curvature = 0;       // C
+		double squaredDistance = 0; // ‖d‖²
+		bool reached = false;
+	};
+
+	State stateAt(const Positions& positions) const {
+		const Eigen::VectorXd defects = angleDefects(assembly_, positions);
+		State state{positions, jacobian_.scaled(defects), defects.cwiseAbs().sum(),
+					metric_.squaredNorm(positions - assembly_.originalPositions),
+					!goal_.unmetPatches(assembly_, defects).any()};
+		return state;
+	}
+
+	void moveTo(State state) {
+		state_ = std::move(state);
+		if ((state_.positions - assembly_.originalPositions).colwise().norm().maxCoeff() <= farthest_)
+			lastNear_ = state_.positions;
+	}
+
+	/// About the largest eigenvalue of J W⁻¹ Jᵀ.
+	double greatestResponse() const {
+		Eigen::VectorXd y = state_.scaled.normalized();
+		for (int i = 0; i < 3; ++i)
+			y = solver_.apply(y).normalized();
+		return solver_.apply(y).norm();
+	}
+
+	double merit(const State& state, double tau) const {
+		return tau * state.squaredDistance / 2 + state.scaled.squaredNorm() / (2 * epsilon_);
+	}
+
+	/// Ends when the curvature is all but gone and the distance has settled, or when it leads no further:
+	/// then the landing takes over.
+	Status followPath() {
+		multipliers_ = Eigen::VectorXd::Zero(jacobian_.rowCount());
+		while (!state_.reached) {
+			if (iterations_ == maxIterations_)
+				return Status::LimitReached;
+			const double before = merit(state_, 1), distanceBefore = state_.squaredDistance;
+			const double length = step(1, 0.01);
+			if (stopped_)
+				return Status::Stopped;
+			if (length == 0)
+				return Status::Stalled;
+			const double decrease = 1 - merit(state_, 1) / before;
+			const bool settled = std::abs(state_.squaredDistance - distanceBefore) < 0.05 * distanceBefore;
+			if (state_.curvature < 0.03 * startCurvature_ && settled)
+				return Status::Stalled;
+			if ((length == 1 && decrease < 0.3) || decrease < 0.01) {
+				if (epsilon_ < leastEpsilon_)
+					return Status::Stalled;
+				epsilon_ /= 4;
+			}
+		}
+		return Status::Converged;
+	}
+
+	/// Ends at g = 0, or where steps have stopped to make a difference.
+	Status land() {
+		for (int idle = 0; !state_.reached;) {
+			if (iterations_ == maxIterations_)
+				return Status::LimitReached;
+			const double before = state_.scaled.squaredNorm();
+			multipliers_.setZero();
+			const double length = step(0, 0.03);
+			if (stopped_)
+				return Status::Stopped;
+			idle = state_.scaled.squaredNorm() > 0.99 * before ? idle + 1 : 0;
+			if (idle == idleLimit)
+				return Status::Stalled;
+			epsilon_ *= length == 1 ? 0.1 : length == 0 ? 16 : length < 0.25 ? 4 : 1;
+		}
+		return Status::Converged;
+	}
+
+	/// One step. \return its length, 0 when none is any good
+	double step(double tau, double tolerance) {
+		++iterations_;
+		jacobian_.linearize(state_.positions);
+		const Positions displacement = state_.positions - assembly_.originalPositions;
+		const Eigen::VectorXd rightHandSide = state_.scaled - tau * jacobian_.apply(displacement);
+		stopped_ =
+			!solver_.solve(rightHandSide, epsilon_, tolerance, multipliers_, [&] { return mayGoOnNow(); });
+		if (stopped_)
+			return 0;
+		const Positions direction =
+			-tau * displacement - metric_.solve(jacobian_.applyTransposed(multipliers_));
+		const double slope = tau * metric_.apply(displacement).cwiseProduct(direction).sum() +
+							 jacobian_.apply(direction).dot(state_.scaled) / epsilon_;
+		const double before = merit(state_, tau);
+		double length = 1;
+		for (int halvings = 0; halvings < 10; ++halvings, length /= 2) {
+			const Positions candidate = state_.positions + length * direction;
+			if (!soundness_.holds(candidate))
+				continue;
+			State next = stateAt(candidate);
+			if (merit(next, tau) <= before + 1e-4 * length * slope && merit(next, tau) < before) {
+				moveTo(std::move(next));
+				return length;
+			}
+		}
+		return 0;
+	}
+
+	bool mayGoOnNow() const {
+		const double whole = std::log(startCurvature_ / goal_.curvatureTolerance);
+		const double done = std::log(startCurvature_ / std::max(state_.curvature, goal_.curvatureTolerance));
+		return mayGoOn(progress_, whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0,
+					   "Total absolute curvature " + std::to_string(state_.curvature) + " rad after " +
+						   std::to_string(iterations_ - 1) + " steps");
+	}
+
+	const PatchAssembly& assembly_;
+	const CurvatureGoal goal_;
+	const Progress& progress_;
+	BendingMetric metric_;
+	DefectJacobian jacobian_;
+	MultiplierSolver solver_;
+	Soundness soundness_;
+	State state_;
+	double farthest_ = 0;
+	Positions lastNear_;
+	Eigen::VectorXd multipliers_; // y, the next step's first guess
+	double startCurvature_ = 0, epsilon_ = 0, leastEpsilon_ = 0;
+	int iterations_ = 0, maxIterations_ = 0;
+	bool stopped_ = false;
+};
+
+} // namespace developable::detail
