@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flatten.h: patches laid flat at the model's own scale, with edges as long as they were or nearly.
+#pragma once
+
+#include "assemble_patches.h"
+#include "detail/pattern_maker.h"
+
+namespace developable {
+
+struct FlattenOptions {
+	double gap = -1;      ///< between the pieces' boxes, length; −1: 2 % of the diagonal of the largest
+	int iterations = 400; ///< at most, for each piece; it takes 4 to 10 unless a panel folds
+};
+
+/// Lays every patch flat: a minimum of Σ (flattened length − length)² over its edges without flipped
+/// triangles. Disks come out whole. Holes stay open and are never filled; a panel is cut from hole to hole
+/// only where it can't be flat otherwise: the two ends of a tube, or where that lowers the mean edge strain
+/// fourfold. Pieces show their outside (where most of a patch's area faces), are never mirrored, stand
+/// upright by their longest seam and lie side by side at the model's scale.
+///
+/// \param positions  3 x places
+///
+/// \throws ClosedPatch, NonOrientablePatch, PatchWithHandles  for patches that can't be flat; say how many
+///
+/// \throws InvalidParameter  when the gap is not a number or infinite
+inline FlatPatterns flattenPatches(const PatchAssembly& assembly, const Positions& positions,
+								   const FlattenOptions& options = {}, const Progress& progress = {}) {
+	if (!std::isfinite(options.gap))
+		throw InvalidParameter(
+			"The gap between pieces is not a number: choose a length, or -1 for the default.");
+	requireOpenPatches(assembly);
+	requireOrientablePatches(assembly);
+	detail::PatternMaker maker(assembly, positions);
+	if (!maker.flattenPanels(options.iterations, progress)) {
+		FlatPatterns none;
+		none.report.stopped = true;
+		return none;
+	}
+	return maker.makePatterns(options.gap);
+}
+
+} // namespace developable
