@@ -25,8 +25,18 @@ def model(request):
 def test_the_script_makes_the_committed_bytes(tmp_path):
     subprocess.run([sys.executable, str(MESHES / "make_models.py"), str(tmp_path)], check=True)
     made = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
-    assert made == {path.name: path.read_bytes() for path in MESHES.glob("*.obj")}
-    assert len(made) == len(ALL)
+    committed = [*MESHES.glob("*.obj"), *MESHES.glob("*.ply")]
+    assert made == {path.name: path.read_bytes() for path in committed}
+    assert set(made) == {f"{name}.{ending}" for name in ALL for ending in ("obj", "ply")}
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_ply_is_the_same_mesh(name):
+    positions, triangles, _ = reference.read_obj(MESHES / f"{name}.obj")
+    lines = (MESHES / f"{name}.ply").read_text().splitlines()
+    rows = [line.split() for line in lines[lines.index("end_header") + 1 :]]
+    assert np.array_equal(np.array(rows[: len(positions)], dtype=float), positions)
+    assert np.array_equal(np.array(rows[len(positions) :], dtype=int)[:, 1:], triangles)
 
 
 def test_size_is_the_papers(model):
