@@ -8,6 +8,7 @@
 
 #include "developable/exceptions.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -28,6 +29,16 @@ double referenceLength(const MeshModel* layer) {
 	return diagonal > 0 ? diagonal : 1;
 }
 
+/// Whether a layer has vertex colours to lose. Some hosts give every mesh a colour, one for all its vertices.
+bool isColoured(const MeshModel* layer) {
+	if (layer == nullptr || !layer->hasDataMask(MeshModel::MM_VERTCOLOR))
+		return false;
+	const auto& vertices = layer->cm.vert;
+	return std::any_of(vertices.begin(), vertices.end(), [&vertices](const CVertexO& vertex) {
+		return !vertex.IsD() && vertex.cC() != vertices.front().cC();
+	});
+}
+
 void add(RichParameterList& list, const Parameter& parameter, host::ReadDocument& document) {
 	const QString name = toQString(parameter.name), label = toQString(parameter.label),
 				  tooltip = toQString(parameter.tooltip);
@@ -35,10 +46,8 @@ void add(RichParameterList& list, const Parameter& parameter, host::ReadDocument
 	const auto integer = static_cast<int>(parameter.defaultValue);
 	switch (parameter.type) {
 	case ParameterType::Bool: {
-		const bool isColoured =
-			document.mm() != nullptr && document.mm()->hasDataMask(MeshModel::MM_VERTCOLOR);
-		list.addParam(
-			RichBool(name, integer != 0 && !(parameter.offWhenColoured && isColoured), label, tooltip));
+		const bool isOff = parameter.offWhenColoured && isColoured(document.mm());
+		list.addParam(RichBool(name, integer != 0 && !isOff, label, tooltip));
 		break;
 	}
 	case ParameterType::Int:

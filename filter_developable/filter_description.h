@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// filter_description.h: a filter as every host shows it, described once: names, help, parameters, what it
-// runs.
+// filter_description.h: a filter as every host shows it, described once.
 #pragma once
 
 #include "filter_call.h"
@@ -18,14 +17,14 @@ enum class ParameterType { Bool, Int, Float, Length, Enumeration, Mesh };
 struct Parameter {
 	std::string name; ///< in scripts
 	ParameterType type = ParameterType::Bool;
-	double defaultValue =
-		0;               ///< bool: 0 or 1; enumeration: the index; mesh: not used, the current layer is meant
+	/// Of a bool 0 or 1, of an enumeration the index; of a mesh it is not used, the current layer is meant.
+	double defaultValue = 0;
 	std::string label;   ///< in the dialog
 	std::string tooltip; ///< one sentence or two
-	double minimum =
-		-std::numeric_limits<double>::infinity(); ///< the least value allowed, where it is a number
-	std::vector<std::string> values = {};         ///< of an enumeration; their order is fixed
-	bool offWhenColoured = false; ///< a bool whose default is false on a mesh that has vertex colours
+	/// The least value allowed, where it is a number.
+	double minimum = -std::numeric_limits<double>::infinity();
+	std::vector<std::string> values = {}; ///< of an enumeration; their order is fixed
+	bool offWhenColoured = false;         ///< a bool that is false by default on a mesh with vertex colours
 };
 
 /// The menu that a filter is found in.

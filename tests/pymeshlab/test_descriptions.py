@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names, order, types and defaults of parameters: scripts rely on all of them."""
+
+import xml.etree.ElementTree as ElementTree
+
+import mlx_scripts
+import pymeshlab
+import pytest
+from mesh_sets import GLOBAL, LOCAL, MAPS, mesh_set
+from shapes import bump
+
+SEVEN_MAPS = (
+    "Gaussian map",
+    "Angle defect",
+    "Gaussian curvature",
+    "Minimum curvature",
+    "Maximum curvature",
+    "Distance",
+    "Displacement",
+)
+PATCHES = (
+    "patches",
+    "RichEnum",
+    "0",
+    ("Connected components", "Face colour", "Texture islands", "Face quality"),
+)
+WELD = ("weld_distance", "RichAbsPerc", "0", ())
+ONLY_SELECTED = ("only_selected", "RichBool", "false", ())
+FIX_BOUNDARY = ("fix_boundary", "RichBool", "false", ())
+FIX_SELECTED = ("fix_selected", "RichBool", "false", ())
+ANGLE_TOLERANCE = ("angle_tolerance", "RichFloat", "0.0001", ())
+MAP = ("map", "RichEnum", "0", SEVEN_MAPS)
+COLORIZE = ("colorize", "RichBool", "true", ())
+
+PARAMETERS = {
+    "Global Developability": (
+        ("solver", "RichEnum", "1", ("Constrained Newton", "Conjugate gradient")),
+        PATCHES,
+        WELD,
+        ONLY_SELECTED,
+        FIX_BOUNDARY,
+        FIX_SELECTED,
+        ANGLE_TOLERANCE,
+        ("curvature_tolerance", "RichFloat", "0.0001", ()),
+        ("max_iterations", "RichInt", "200", ()),
+        ("relative_change", "RichFloat", "0.0001", ()),
+        ("smoothness", "RichFloat", "1", ()),
+        MAP,
+        COLORIZE,
+    ),
+    "Local Developability": (
+        PATCHES,
+        WELD,
+        ONLY_SELECTED,
+        FIX_SELECTED,
+        ANGLE_TOLERANCE,
+        ("max_displacement", "RichAbsPerc", "-1", ()),
+        ("max_operations", "RichInt", "500000", ()),
+        ("descent", "RichBool", "false", ()),
+        ("smoothing", "RichFloat", "0", ()),
+        ("assembling_vertices", "RichEnum", "0", ("Fixed", "Move together")),
+        ("avoid_self_intersections", "RichBool", "false", ()),
+        MAP,
+        COLORIZE,
+    ),
+    "Developability Maps": (
+        PATCHES,
+        WELD,
+        ANGLE_TOLERANCE,
+        ("map", "RichEnum", "0", (*SEVEN_MAPS, "Elastic energy")),
+        ("reference", "RichMesh", "0", ()),
+        COLORIZE,
+    ),
+}
+FILTERS = {
+    "Global Developability": (GLOBAL, mlx_scripts.GLOBAL),
+    "Local Developability": (LOCAL, mlx_scripts.LOCAL),
+    "Developability Maps": (MAPS, mlx_scripts.MAPS),
+}
+
+
+def described(element):
+    """Name, type, value and choices of each parameter of a filter in a script."""
+    return tuple(
+        (
+            parameter.get("name"),
+            parameter.get("type"),
+            parameter.get("value"),
+            tuple(parameter.get(f"enum_val{i}") for i in range(int(parameter.get("enum_cardinality", 0)))),
+        )
+        for parameter in element
+    )
+
+
+@pytest.fixture(params=PARAMETERS)
+def filter_name(request):
+    return request.param
+
+
+def test_filters_have_their_names_in_menus_and_in_python(filter_name):
+    python_name, _ = FILTERS[filter_name]
+    assert python_name in pymeshlab.filter_list()
+
+
+def test_parameters_are_those_of_the_interface(filter_name, tmp_path):
+    meshes = mesh_set(bump())
+    meshes.apply_filter(FILTERS[filter_name][0])
+    meshes.save_filter_script(str(tmp_path / "used.mlx"))
+    used = ElementTree.parse(tmp_path / "used.mlx").getroot().find("filter")
+    assert used.get("name") == filter_name
+    assert described(used) == PARAMETERS[filter_name]
+    assert all(parameter.get("description") and parameter.get("tooltip") for parameter in used)
+
+
+def test_our_scripts_hold_the_defaults(filter_name):
+    element = mlx_scripts.filter_element(FILTERS[filter_name][1])
+    assert element.get("name") == filter_name
+    assert described(element) == PARAMETERS[filter_name]
+
+
+def test_colorize_is_off_on_a_mesh_that_has_colours(filter_name):
+    meshes = mesh_set(bump())
+    name = FILTERS[filter_name][0]
+    assert meshes.filter_parameter_values(name)["colorize"] is True
+    meshes.apply_filter(name, colorize=True)
+    assert meshes.current_mesh().has_vertex_color()
+    assert meshes.filter_parameter_values(name)["colorize"] is False
