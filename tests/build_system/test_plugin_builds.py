@@ -121,9 +121,31 @@ def test_an_unknown_host_is_refused_with_the_known_ones(tmp_path):
 
 
 @pytest.mark.slow
-def test_the_plugin_builds_inside_meshlabs_tree(meshlab_tree, tmp_path):
-    (meshlab_tree / "src/meshlabplugins/filter_developable").symlink_to(ROOT / "filter_developable")
-    result = configure_meshlab(meshlab_tree, tmp_path / "build")
+def test_a_meshlab_of_single_precision_loads_both_its_own_build_of_the_plugin_and_ours(
+    meshlab_tree, tmp_path
+):
+    plugins = meshlab_tree / "src/meshlabplugins"
+    (plugins / "filter_developable").symlink_to(ROOT / "filter_developable")
+    (plugins / "list_filters").symlink_to(ROOT / "tests/build_system/list_filters")
+    build = tmp_path / "build"
+    result = configure_meshlab(
+        meshlab_tree,
+        build,
+        "-DMESHLAB_PLUGINS=meshlabplugins/filter_developable;meshlabplugins/list_filters",
+    )
     assert result.returncode == 0, result.stderr
-    ninja(tmp_path / "build", "filter_developable")
-    assert list((tmp_path / "build").glob("**/plugins/libfilter_developable.so"))
+    ninja(build, "filter_developable", "list_filters")
+
+    def filters(plugin):
+        environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+        command = [build / "src/distrib/list_filters", plugin]
+        return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+
+    [dropped_in] = build.glob("**/plugins/libfilter_developable.so")
+    for plugin in (dropped_in, ROOT / "build/meshlab-2025.07/libfilter_developable.so"):
+        listed = filters(plugin)
+        assert listed.returncode == 0, listed.stderr
+        assert "apply_coord_global_developability" in listed.stdout.split()
+    double = filters(ROOT / "build/pymeshlab-2025.7/libfilter_developable.so")
+    assert double.returncode != 0
+    assert "precision" in double.stderr
