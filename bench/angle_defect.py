@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Nanoseconds a triangle: our angle defects and gradient beside MeshLab's own developability energy.
 
-MeshLab's "Make mesh developable" (Stein, Grinspun, Crane 2018) does not tell the time of one evaluation, so it is
-the difference between two runs with fixed steps too small to move anything, over the difference of their numbers of
-evaluations; one evaluation of it is an energy with its gradient too.
+MeshLab's "Make mesh developable" (Stein, Grinspun, Crane 2018) does not tell the time of one evaluation: it
+is the difference between two runs with fixed steps too small to move anything, over the difference of their
+numbers of evaluations; one evaluation of it is an energy with its gradient too.
 
 Run by bench/run.sh: angle_defect.py EXECUTABLE
 """
@@ -45,8 +45,17 @@ def meshlab_nanoseconds(path: Path, triangles: int) -> float:
 
 def main() -> None:
     """Print the table."""
-    print("| triangles | defects, ns | gradient, ns | both, ns | MeshLab's energy, ns | times faster |", end="")
-    print(" global, bytes | local, bytes |\n|---|---|---|---|---|---|---|---|")
+    columns = [
+        "triangles",
+        "defects, ns",
+        "gradient, ns",
+        "both, ns",
+        "MeshLab's energy, ns",
+        "times faster",
+        "global, bytes",
+        "local, bytes",
+    ]
+    print(f"| {' | '.join(columns)} |\n{'|---' * len(columns)}|")
     with tempfile.TemporaryDirectory() as folder:
         for size in SIZES:
             mesh = Path(folder) / f"{size}.off"
