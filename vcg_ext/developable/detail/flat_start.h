@@ -10,15 +10,6 @@
 
 namespace developable::detail {
 
-using PlanePositions = Eigen::Matrix2Xd;
-
-/// Twice the signed area of a triangle in the plane.
-inline double doubleArea(const PlanePositions& positions, const Eigen::Ref<const Eigen::Vector3i>& triangle) {
-	const Eigen::Vector2d a = positions.col(triangle[1]) - positions.col(triangle[0]);
-	const Eigen::Vector2d b = positions.col(triangle[2]) - positions.col(triangle[0]);
-	return a[0] * b[1] - a[1] * b[0];
-}
-
 inline int countFlipped(const Eigen::Matrix3Xi& triangles, const PlanePositions& positions) {
 	int count = 0;
 	for (const auto& triangle : triangles.colwise())

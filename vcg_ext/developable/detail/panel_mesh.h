@@ -35,6 +35,15 @@ inline int reversedHalfEdge(int halfEdge) {
 	return halfEdge + 2 - 2 * (halfEdge % 3);
 }
 
+using PlanePositions = Eigen::Matrix2Xd;
+
+/// Twice the signed area of a triangle in the plane.
+inline double doubleArea(const PlanePositions& positions, const Eigen::Ref<const Eigen::Vector3i>& triangle) {
+	const Eigen::Vector2d a = positions.col(triangle[1]) - positions.col(triangle[0]);
+	const Eigen::Vector2d b = positions.col(triangle[2]) - positions.col(triangle[0]);
+	return a[0] * b[1] - a[1] * b[0];
+}
+
 /// The triangles of every patch, ascending.
 inline std::vector<std::vector<int>> trianglesOfPatches(const PatchAssembly& assembly) {
 	std::vector<std::vector<int>> triangles(assembly.patchCount());

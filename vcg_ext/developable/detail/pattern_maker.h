@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// pattern_maker.h: from the patches of an assembly to patterns, laid out, measured and described.
+// pattern_maker.h: from the patches of an assembly to patterns, laid out and measured.
 #pragma once
 
 #include "../exceptions.h"
-#include "boundary_crossings.h"
+#include "../pattern_measures.h"
 #include "panel_flattener.h"
 #include "pattern_layout.h"
-
-#include <numeric>
 
 namespace developable::detail {
 
@@ -50,10 +48,8 @@ public:
 			outerLoops.push_back(outerLoop(piece));
 		standUpright(assembly_, positions_, patterns_, outerLoops, firstVertex_);
 		laySideBySide(patterns_, firstVertex_, gap);
-		patterns_.seams = findSeams(assembly_, patterns_);
-		measureEdges();
-		findOverlaps();
-		summarize();
+		describePieces();
+		measurePatterns(assembly_, positions_, patterns_);
 		return std::move(patterns_);
 	}
 
@@ -122,85 +118,16 @@ private:
 		return outer;
 	}
 
-	/// Strains and energies from the coordinates as they are laid.
-	void measureEdges() {
-		patterns_.edgeStrain = patterns_.elasticEnergy = Eigen::VectorXd::Zero(patterns_.vertexCount());
+	/// What only the making of a piece can tell.
+	void describePieces() {
 		patterns_.pieces.resize(assembly_.patchCount());
-		std::vector<int> edges(assembly_.patchCount(), 0);
-		for (int h = 0; h < 3 * assembly_.triangleCount(); ++h) {
-			if (patterns_.joinedHalfEdge[h] >= 0 && patterns_.joinedHalfEdge[h] < h)
-				continue;
-			const int ends[] = {patterns_.vertexAt(h), patterns_.vertexAt(nextCorner(h))};
-			const double length = (positions_.col(patterns_.placeOfVertex[ends[1]]) -
-								   positions_.col(patterns_.placeOfVertex[ends[0]]))
-									  .norm();
-			const double change = patterns_.length(h) - length, strain = std::abs(change) / length;
-			const int pieceNumber = assembly_.patchOfTriangle[h / 3];
-			FlatPiece& piece = patterns_.pieces[pieceNumber];
-			piece.maxEdgeStrain = std::max(piece.maxEdgeStrain, strain);
-			piece.meanEdgeStrain += strain;
-			piece.elasticEnergy += change * change;
-			++edges[pieceNumber];
-			for (const int vertex : ends) {
-				patterns_.edgeStrain[vertex] = std::max(patterns_.edgeStrain[vertex], strain);
-				patterns_.elasticEnergy[vertex] += change * change / 2;
-			}
-		}
-		FlattenReport& report = patterns_.report;
-		for (int piece = 0; piece < assembly_.patchCount(); ++piece) {
-			FlatPiece& flat = patterns_.pieces[piece];
-			report.meanEdgeStrain += flat.meanEdgeStrain;
-			flat.meanEdgeStrain /= edges[piece];
-		}
-		report.meanEdgeStrain /= std::accumulate(edges.begin(), edges.end(), 0);
-	}
-
-	void findOverlaps() {
-		std::vector<BoundarySegment> segments;
-		for (int h = 0; h < 3 * assembly_.triangleCount(); ++h)
-			if (patterns_.joinedHalfEdge[h] < 0)
-				segments.push_back({patterns_.vertexAt(h), patterns_.vertexAt(nextCorner(h)),
-									assembly_.patchOfTriangle[h / 3]});
-		const std::vector<char> crossing =
-			crossingPieces(patterns_.positions, std::move(segments), assembly_.patchCount());
-		for (int piece = 0; piece < assembly_.patchCount(); ++piece)
-			patterns_.pieces[piece].overlapping = crossing[piece] != 0;
-	}
-
-	void summarize() {
-		FlattenReport& report = patterns_.report;
-		report.pieces = assembly_.patchCount();
 		for (int piece = 0; piece < assembly_.patchCount(); ++piece) {
 			FlatPiece& flat = patterns_.pieces[piece];
 			flat.holes = static_cast<int>(loops_[piece].size()) - 1;
 			flat.cuts = flat_[piece].cuts;
-			flat.flippedFaces = countFlipped(flat_[piece].mesh.triangles, flat_[piece].positions);
 			flat.converged = flat_[piece].minimum.converged;
 			flat.iterations = flat_[piece].minimum.iterations;
-			report.maxEdgeStrain = std::max(report.maxEdgeStrain, flat.maxEdgeStrain);
-			report.elasticEnergy += flat.elasticEnergy;
-			report.flippedFaces += flat.flippedFaces;
-			report.overlappingPieces += flat.overlapping;
-			addNotes(piece, flat);
 		}
-		for (const Seam& seam : patterns_.seams)
-			report.maxSeamMismatch = std::max(report.maxSeamMismatch, seam.mismatch());
-	}
-
-	void addNotes(int piece, const FlatPiece& flat) {
-		const auto note = [&](const std::string& text) {
-			patterns_.report.notes.push_back("Piece " + std::to_string(piece + 1) + " " + text);
-		};
-		if (flat.cuts > 0)
-			note("has " + counted(flat.holes + 1, "boundary", "boundaries") + " and was cut open along " +
-				 counted(flat.cuts, "path", "paths") + ", without which it can't be flat.");
-		if (flat.overlapping)
-			note("overlaps itself or another: cut it in two, or give it seams.");
-		if (flat.flippedFaces > 0)
-			note("has " + counted(flat.flippedFaces, "flipped face", "flipped faces") + ": give it seams.");
-		else if (!flat.converged)
-			note("was still getting better after " + counted(flat.iterations, "step", "steps") +
-				 ": it is far from developable.");
 	}
 
 	const PatchAssembly& assembly_;
