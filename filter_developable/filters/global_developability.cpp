@@ -4,6 +4,7 @@
 #include "../shared_parameters.h"
 #include "filters.h"
 
+#include "developable/constrained_newton.h"
 #include "developable/penalty_method.h"
 
 namespace developable::plugin {
@@ -13,16 +14,31 @@ namespace {
 /// In the order of the `solver` enumeration.
 enum class Solver { ConstrainedNewton, ConjugateGradient };
 
-Results run(FilterCall& call) {
-	if (call.values.choice<Solver>("solver") == Solver::ConstrainedNewton)
-		refuseNotYet("The solver 'Constrained Newton'", "'Conjugate gradient'");
+OptimizationReport runConjugateGradient(const ParameterValues& values, const PatchAssembly& assembly,
+										Positions& positions, const Progress& progress) {
 	PenaltyMethodOptions options;
-	options.angleTolerance = call.values.number("angle_tolerance");
-	options.relativeChange = call.values.number("relative_change");
-	options.maxIterations = call.values.integer("max_iterations");
-	const Method method = [&options](const PatchAssembly& assembly, Positions& positions,
-									 const Progress& progress) {
-		return penaltyMethod(assembly, positions, options, progress);
+	options.angleTolerance = values.number("angle_tolerance");
+	options.relativeChange = values.number("relative_change");
+	options.maxIterations = values.integer("max_iterations");
+	return penaltyMethod(assembly, positions, options, progress);
+}
+
+OptimizationReport runConstrainedNewton(const ParameterValues& values, const PatchAssembly& assembly,
+										Positions& positions, const Progress& progress) {
+	ConstrainedNewtonOptions options;
+	options.angleTolerance = values.number("angle_tolerance");
+	options.curvatureTolerance = values.number("curvature_tolerance");
+	options.maxIterations = values.integer("max_iterations");
+	options.smoothness = values.number("smoothness");
+	return constrainedNewton(assembly, positions, options, progress);
+}
+
+Results run(FilterCall& call) {
+	const ParameterValues& values = call.values;
+	const bool newton = values.choice<Solver>("solver") == Solver::ConstrainedNewton;
+	const Method method = [&](const PatchAssembly& assembly, Positions& positions, const Progress& progress) {
+		return newton ? runConstrainedNewton(values, assembly, positions, progress)
+					  : runConjugateGradient(values, assembly, positions, progress);
 	};
 	return optimizeLayer(call, method).results;
 }
@@ -37,25 +53,24 @@ FilterDescription globalDevelopability() {
 	filter.change = Change::Positions;
 	filter.help =
 		"Makes each panel of the layer as <b>developable</b> as it can be made, so that it can be cut from a "
-		"flat "
-		"sheet, while the surface moves as little as possible and seams stay closed. All vertices move "
-		"together, "
-		"which keeps the surface smooth.<br><br>"
-		"The conjugate gradient solver minimises the change of all edge lengths plus a penalty on the detect "
-		"function G, the sum of squared angle defects (Eq. 7 and 9). The log says how developable the "
-		"surface was "
-		"and is: D, the share of its area that is developable, G, and C, the total absolute curvature, which "
-		"unlike "
-		"D does not depend on how fine the mesh is. Closed surfaces must be cut first.<br><br>"
+		"flat sheet, while the surface moves as little as possible and seams stay closed. All vertices move "
+		"together, which keeps the surface smooth.<br><br>"
+		"<b>Constrained Newton</b> brings the angle defect of every vertex to zero at the least deformation; "
+		"where there is no developable shape near, it stops and says that the panel needs a cut. <b>Conjugate "
+		"gradient</b> is the paper's method: it minimises the change of all edge lengths plus a penalty on the "
+		"detect function G, the sum of squared angle defects (Eq. 7 and 9).<br><br>"
+		"The log says how developable the surface was and is: D, the share of its area that is developable, G, "
+		"and C, the total absolute curvature, which unlike D does not depend on how fine the mesh is. Closed "
+		"surfaces must be cut first.<br><br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
 		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
 		"Section 4.";
 	filter.parameters = {
 		enumeration(
-			"solver", {"Constrained Newton", "Conjugate gradient"}, 1, "Solver",
-			"How the shape is found: by Newton steps that hold the angle defects at zero, which does not "
-			"work "
-			"yet in this version, or by the paper's conjugate gradients with a penalty (Section 4.1)."),
+			"solver", {"Constrained Newton", "Conjugate gradient"}, 0, "Solver",
+			"How the shape is found: by Newton steps that bring all angle defects to zero at the least "
+			"deformation, or by the paper's conjugate gradients with a penalty (Section 4.1), which stop "
+			"short of that."),
 		patchesParameter(),
 		weldDistanceParameter(),
 		onlySelectedParameter(),
@@ -73,7 +88,7 @@ FilterDescription globalDevelopability() {
 			"Conjugate gradient only: the run ends when a step changes the detect function by less than "
 			"this share of its first value; the paper's eta of 0.01 % (Section 4.1)."),
 		floatParameter(
-			"smoothness", 1, 0, "Smoothness",
+			"smoothness", ConstrainedNewtonOptions().smoothness, 0, "Smoothness",
 			"Constrained Newton only: how much weight bending has against distance; larger values give "
 			"fewer wrinkles and move the surface more."),
 		mapParameter(),
