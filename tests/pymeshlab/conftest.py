@@ -1,17 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The plugin in this process's pymeshlab; DEVELOPABLE_PLUGIN names another build than build/ has."""
+"""Every test here needs the plugin in pymeshlab."""
 
-import os
-
-import meshlab_developable
-import pymeshlab
+import plugin_build
 import pytest
 
 
 @pytest.fixture(autouse=True, scope="session")
 def _plugin():
-    path = os.environ.get("DEVELOPABLE_PLUGIN")
-    if path is None:
-        meshlab_developable.load()
-    elif "apply_coord_global_developability" not in pymeshlab.filter_list():
-        pymeshlab.load_plugin(path)
+    plugin_build.load_plugin()

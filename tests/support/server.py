@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the stock meshlabserver 2020.09 with the plugin in it; DEVELOPABLE_MESHLABSERVER names another command."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import shlex
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pymeshlab
+
+SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "meshlabserver.sh"
+COMMAND = shlex.split(os.environ.get("DEVELOPABLE_MESHLABSERVER", f"bash {shlex.quote(str(SCRIPT))}"))
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """How a run of meshlabserver ended, and what it printed."""
+
+    exit_code: int
+    printed: str
+
+    @property
+    def values(self) -> dict[str, str]:
+        """What the log says a key, the last one where it says several."""
+        return dict(line.split(": ", 1) for line in self.printed.splitlines() if ": " in line)
+
+    def number(self, key: str) -> float:
+        return float(self.values[key])
+
+
+def run(script: Path, source: Path | None = None, target: Path | None = None) -> Run:
+    """Applies a script to a mesh file, saving positions, quality and colours."""
+    command = [*COMMAND]
+    if source is not None:
+        command += ["-i", str(source)]
+    if target is not None:
+        command += ["-o", str(target), "-m", "vq", "vc"]
+    command += ["-s", str(script)]
+    result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300, check=False)
+    return Run(result.returncode, result.stdout.decode(errors="replace"))
+
+
+def save_mesh(path: Path, positions: np.ndarray, triangles: np.ndarray | None = None) -> Path:
+    """A PLY file with positions and faces only. (2020.09 as Debian has it aborts on every OBJ file.)"""
+    count = 0 if triangles is None else len(triangles)
+    lines = ["ply", "format ascii 1.0", f"element vertex {len(positions)}"]
+    lines += [f"property double {axis}" for axis in "xyz"]
+    lines += [f"element face {count}", "property list uchar int vertex_indices", "end_header"]
+    lines += [" ".join(repr(float(value)) for value in position) for position in positions]
+    lines += [f"3 {a} {b} {c}" for a, b, c in (() if triangles is None else triangles)]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def load(path: Path) -> pymeshlab.MeshSet:
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(path))
+    return meshes
