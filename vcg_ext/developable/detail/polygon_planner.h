@@ -159,6 +159,7 @@ private:
 			if (replaced.erase(sortedCorners(after, i)) == 0)
 				added.push_back(i);
 		std::vector<int> free;
+		free.reserve(replaced.size());
 		for (const auto& [corners, triangle] : replaced)
 			free.push_back(triangle);
 		std::sort(free.begin(), free.end());
