@@ -8,13 +8,14 @@
 #include "shared_parameters.h"
 #include "vertex_data.h"
 
+#include "developable/principal_curvatures.h"
 #include "developable/surface_distance.h"
 
 namespace developable::plugin {
 
 Map chosenMap(const ParameterValues& values) {
 	const Map map = values.choice<Map>("map");
-	if (map == Map::MinimumCurvature || map == Map::MaximumCurvature || map == Map::ElasticEnergy)
+	if (map == Map::ElasticEnergy)
 		refuseNotYet("The map '" + std::string(propertiesOf(map).title) + "'", "another map");
 	return map;
 }
@@ -32,6 +33,10 @@ Eigen::VectorXd mapValues(Map map, const PatchAssembly& assembly, const Position
 		return angleDefectMap(assembly, positions);
 	case Map::GaussianCurvature:
 		return gaussianCurvatureMap(assembly, positions);
+	case Map::MinimumCurvature:
+		return largestCopies(assembly, principalCurvatures(assembly, positions).least);
+	case Map::MaximumCurvature:
+		return largestCopies(assembly, principalCurvatures(assembly, positions).greatest);
 	case Map::Distance:
 		return distancesToSurface(positions, original, assembly.trianglePlaces);
 	case Map::Displacement:

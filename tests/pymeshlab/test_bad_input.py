@@ -113,19 +113,8 @@ def test_an_unknown_map(name, value):
     assert state_of(meshes) == before
 
 
-@ALL
-@pytest.mark.parametrize("value", ["Minimum curvature", "Maximum curvature"])
-def test_maps_that_do_not_work_yet_say_so(name, value):
-    assert "does not work yet in this version; choose" in refusal(mesh_set(bump()), name, map=value)
-
-
 def test_the_map_of_flattening_does_not_work_yet():
     assert "does not work yet" in refusal(mesh_set(bump()), MAPS, map="Elastic energy")
-
-
-def test_a_solver_that_does_not_work_yet_says_so():
-    sentence = refusal(mesh_set(bump()), GLOBAL, solver="Constrained Newton")
-    assert "does not work yet in this version; choose 'Conjugate gradient'" in sentence
 
 
 @BOTH

@@ -34,7 +34,7 @@ COLORIZE = ("colorize", "RichBool", "true", ())
 
 PARAMETERS = {
     "Global Developability": (
-        ("solver", "RichEnum", "1", ("Constrained Newton", "Conjugate gradient")),
+        ("solver", "RichEnum", "0", ("Constrained Newton", "Conjugate gradient")),
         PATCHES,
         WELD,
         ONLY_SELECTED,
@@ -44,7 +44,7 @@ PARAMETERS = {
         ("curvature_tolerance", "RichFloat", "0.0001", ()),
         ("max_iterations", "RichInt", "200", ()),
         ("relative_change", "RichFloat", "0.0001", ()),
-        ("smoothness", "RichFloat", "1", ()),
+        ("smoothness", "RichFloat", "3e-06", ()),
         MAP,
         COLORIZE,
     ),
