@@ -57,7 +57,7 @@ def cost(study: Study, outcome: Outcome) -> list[tuple[str, str]]:
     report, unit = outcome.report, study.source.unit
 
     def length(value: float) -> str:
-        return f"{value:.4g} {unit} ({100 * value / study.diagonal:.2g} % of the model's diagonal)"
+        return f"{value:.4g} {unit} ({100 * value / study.diagonal:.2g} % of the diagonal)"
 
     return [
         ("largest displacement", length(report.max_displacement)),
