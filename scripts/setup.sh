@@ -53,7 +53,7 @@ build() {
 	mkdir -p "$build_root"
 	once "$build_root/$1/.configured" "$(checksum "$root/CMakePresets.json") $root" configure "$1"
 	say "building $1"
-	cmake --build "$build_root/$1" -j "$(nproc)" -- --quiet | sed '/^ninja: no work to do/d; /^-- /d'
+	cmake --build "$build_root/$1" -j "$(nproc)" -- --quiet 2>&1 | sed '/^ninja: no work to do/d; /^-- /d'
 }
 
 targets=("$@")
