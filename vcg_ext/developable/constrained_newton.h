@@ -62,13 +62,13 @@ inline void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& 
 /// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
 /// most the curvature tolerance and no angle defect above the angle tolerance. No triangle is flipped and
 /// none becomes a sliver (see detail::Soundness). Where the smoothness asked for leads nowhere, patches are
-/// tried again with ten and a hundred times as much. \param positions  3 x places; where to start, and the
-/// result. Distance is measured from the assembly's
-///                   original positions. Untouched when stopped.
-/// \return           Converged; NothingToDo; NeedsCut when no patch with that boundary is developable near
-/// the
-///                   original; Stalled when places that are held still stand in the way (what is returned
-///                   then has the least Σ g²/area that could be reached); LimitReached; Stopped
+/// tried again with 4, 16 and 64 times as much.
+///
+/// \param positions  3 x places: where to start, and the result; untouched when stopped. Distance is measured
+///                   from the assembly's original positions.
+/// \return           Converged; NothingToDo; NeedsCut: no developable shape was found near the original;
+///                   Stalled: places that are held still stand in the way; LimitReached; Stopped. When not
+///                   converged, the result is the soundest near shape found, with less G than at the start.
 /// \throws ClosedPatch, NothingFree, InvalidParameter
 inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positions& positions,
 												 const ConstrainedNewtonOptions& options,
@@ -89,7 +89,7 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 	const double curvatureBefore = defects.cwiseAbs().sum();
 	double least = detectFunction(defects);
 	Positions best = positions;
-	for (int attempt = 0; attempt < 3; ++attempt) {
+	for (int attempt = 0; attempt < 4; ++attempt) {
 		detail::NewtonAttempt run(assembly, smoothness, goal, progress);
 		const detail::NewtonOutcome outcome =
 			run.run(positions, options.maxIterations - static_cast<int>(report.iterations));
@@ -107,7 +107,7 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 		}
 		if (outcome.status != Status::Stalled)
 			break;
-		smoothness = goal.unmetPatches(assembly, defects).select(10 * smoothness, smoothness);
+		smoothness = goal.unmetPatches(assembly, defects).select(4 * smoothness, smoothness);
 	}
 	positions = best;
 	defects = angleDefects(assembly, positions);

@@ -28,12 +28,19 @@ public:
 		return jacobian_.apply(metric_.solve(jacobian_.applyTransposed(multipliers)));
 	}
 
+	/// About the largest eigenvalue of J W⁻¹ Jᵀ; `start` is a first guess at its eigenvector.
+	double findGreatestResponse(Eigen::VectorXd start) {
+		for (int i = 0; i < 3; ++i)
+			start = apply(start.normalized());
+		return greatestResponse_ = start.norm();
+	}
+
 	/// \param tolerance  on the residual, as a share of the right-hand side
 	/// \param y          the first guess; becomes the solution, or the best within the limit of steps
 	/// \return           false when asked to stop
 	bool solve(const Eigen::VectorXd& b, double epsilon, double tolerance, Eigen::VectorXd& y,
 			   const MayGoOn& mayGoOn) {
-		const bool preconditioned = factorize(epsilon);
+		const bool preconditioned = epsilon < plainAbove * greatestResponse_ && factorize(epsilon);
 		const auto precondition = [&](const Eigen::VectorXd& r) {
 			return preconditioned ? preconditioner(r, epsilon) : r;
 		};
@@ -58,7 +65,8 @@ public:
 
 private:
 	static constexpr int stepLimit = 200;
-	static constexpr double slackMass = 100; ///< κ
+	static constexpr double plainAbove = 0.01; ///< with ε this share of the response, it does without
+	static constexpr double slackMass = 100;   ///< κ
 
 	/// Should rounding spoil K, plain conjugate gradients remain.
 	bool factorize(double epsilon) {
@@ -77,6 +85,7 @@ private:
 	DefectJacobian& jacobian_;
 	Eigen::VectorXd inverseMass_;
 	SparseCholesky factorization_;
+	double greatestResponse_ = 0;
 };
 
 } // namespace developable::detail

@@ -53,7 +53,7 @@ public:
 		moveTo(stateAt(start));
 		startCurvature_ = state_.curvature;
 		jacobian_.linearize(start);
-		epsilon_ = greatestResponse() / 4;
+		epsilon_ = solver_.findGreatestResponse(state_.scaled) / 4;
 		leastEpsilon_ = 4e-5 * epsilon_;
 		NewtonOutcome outcome;
 		outcome.status = followPath();
@@ -65,6 +65,7 @@ public:
 	}
 
 private:
+	static constexpr double residualShare = 0.05; ///< what a step leaves of its linear system
 	/// How far, as a share of the diagonal, a place may go in a result that is not developable.
 	static constexpr double farthestShare = 0.2;
 	static constexpr int idleLimit = 5; ///< landing steps in a row that remove less than a hundredth of |g|²
@@ -91,14 +92,6 @@ private:
 			lastNear_ = state_.positions;
 	}
 
-	/// About the largest eigenvalue of J W⁻¹ Jᵀ.
-	double greatestResponse() const {
-		Eigen::VectorXd y = state_.scaled.normalized();
-		for (int i = 0; i < 3; ++i)
-			y = solver_.apply(y).normalized();
-		return solver_.apply(y).norm();
-	}
-
 	double merit(const State& state, double tau) const {
 		return tau * state.squaredDistance / 2 + state.scaled.squaredNorm() / (2 * epsilon_);
 	}
@@ -111,7 +104,7 @@ private:
 			if (iterations_ == maxIterations_)
 				return Status::LimitReached;
 			const double before = merit(state_, 1), distanceBefore = state_.squaredDistance;
-			const double length = step(1, 0.01);
+			const double length = step(1, residualShare);
 			if (stopped_)
 				return Status::Stopped;
 			if (length == 0)
@@ -136,7 +129,7 @@ private:
 				return Status::LimitReached;
 			const double before = state_.scaled.squaredNorm();
 			multipliers_.setZero();
-			const double length = step(0, 0.03);
+			const double length = step(0, residualShare);
 			if (stopped_)
 				return Status::Stopped;
 			idle = state_.scaled.squaredNorm() > 0.99 * before ? idle + 1 : 0;

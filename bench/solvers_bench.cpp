@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// solvers_bench: makes shapes, runs one method on one mesh, and measures what it did; see solvers.py.
+#include "developable/constrained_newton.h"
+#include "developable/local_method.h"
+#include "developable/penalty_method.h"
+#include "developable/surface_distance.h"
+
+#include "support/shapes.h"
+
+#include <Eigen/SparseCholesky>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+using namespace developable;
+
+namespace {
+
+Eigen::Vector3d deepSaddle(double u, double v) {
+	const double x = 2 * u - 1, y = 2 * v - 1;
+	return {x, y, (x * x - y * y) / 2};
+}
+
+Eigen::Vector3d strongBump(double u, double v) {
+	const double angle = 2 * (u - 0.5), distance = (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5);
+	const double radius = 1 + 0.15 * std::exp(-20 * distance);
+	return {radius * std::sin(angle), 2 * v, radius * std::cos(angle)};
+}
+
+Eigen::Vector3d wave(double u, double v) {
+	return {u, v, 0.05 * std::sin(6 * u) * std::cos(5 * v)};
+}
+
+Eigen::Vector3d vamp(double u, double v) {
+	const double angle = 3 * (u - 0.5), width = 0.4 + 0.25 * v * v, height = 0.35 + 0.5 * v * v;
+	return {width * std::sin(angle), 1.2 * v, height * std::cos(angle)};
+}
+
+Eigen::Vector3d steepBump(double u, double v) {
+	const double x = u - 0.5, y = v - 0.5;
+	return {x, y, 0.35 * std::exp(-30 * (x * x + y * y))};
+}
+
+TriangleMesh withTwoHoles(const TriangleMesh& mesh, int columns) {
+	std::vector<int> kept;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const double u = double(t / 2 % (columns - 1)) / columns, v = double(t / 2 / (columns - 1)) / columns;
+		if (std::hypot(u - 0.3, v - 0.35) >= 0.1 && std::hypot(u - 0.65, v - 0.6) >= 0.12)
+			kept.push_back(t);
+	}
+	return test::makeMesh(mesh.positions, mesh.triangles(Eigen::all, kept));
+}
+
+TriangleMesh shape(const std::string& name, int columns, double noise) {
+	const std::map<std::string, test::Surface> surfaces = {{"cap", test::sphereCap(1)},
+														   {"saddle", deepSaddle},
+														   {"bump", strongBump},
+														   {"wave", wave},
+														   {"vamp", vamp},
+														   {"steep_bump", steepBump},
+														   {"holes", strongBump}};
+	TriangleMesh mesh = test::jitteredGrid(columns, columns, surfaces.at(name));
+	const double amount = noise * meanEdgeLength(test::assembled(mesh));
+	std::mt19937 random(11);
+	for (double& coordinate : mesh.positions.reshaped())
+		coordinate += amount * std::sqrt(3.0) * (2.0 * random() / std::mt19937::max() - 1);
+	return name == "holes" ? withTwoHoles(mesh, columns) : mesh;
+}
+
+TriangleMesh readOff(const std::string& path) {
+	std::ifstream file(path);
+	std::string word;
+	int vertices = 0, triangles = 0, corners = 0;
+	file >> word >> vertices >> triangles >> corners;
+	Positions positions(3, vertices);
+	for (double& coordinate : positions.reshaped())
+		file >> coordinate;
+	Eigen::Matrix3Xi indices(3, triangles);
+	for (int t = 0; t < triangles; ++t)
+		file >> corners >> indices(0, t) >> indices(1, t) >> indices(2, t);
+	if (!file || corners != 3)
+		throw std::runtime_error("not an OFF file of triangles: " + path);
+	return test::makeMesh(positions, indices);
+}
+
+void writeOff(const std::string& path, const Positions& positions, const Eigen::Matrix3Xi& triangles) {
+	std::ofstream file(path);
+	file.precision(17);
+	file << "OFF\n" << positions.cols() << ' ' << triangles.cols() << " 0\n";
+	for (const auto& p : positions.colwise())
+		file << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+	for (const auto& t : triangles.colwise())
+		file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+}
+
+/// Wang 2008 (Computing length-preserved free boundary for quasi-developable mesh segmentation): full
+/// least-norm steps −Jᵀ(JJᵀ)⁻¹g with three unknowns a vertex.
+std::string leastNorm(const PatchAssembly& assembly, Positions& positions) {
+	detail::DefectJacobian jacobian(assembly, Eigen::VectorXd::Ones(assembly.placeCount()));
+	detail::SparseCholesky factorization;
+	for (int step = 0; step < 60; ++step) {
+		const Eigen::VectorXd defects = angleDefects(assembly, positions);
+		if (!defects.allFinite() || defects.cwiseAbs().sum() < 1e-6)
+			break;
+		jacobian.linearize(positions);
+		const double shift = 1e-12 * jacobian.massProduct(0).diagonal().mean();
+		if (!factorization.factorize(jacobian.massProduct(shift)))
+			return "not positive definite";
+		positions -= jacobian.applyTransposed(factorization.solve(jacobian.scaled(defects)));
+	}
+	return "done";
+}
+
+std::string runMethod(const std::string& method, const PatchAssembly& assembly, Positions& positions) {
+	if (method == "constrained_newton") {
+		const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+		return describe(report.status).substr(0, describe(report.status).find(':'));
+	}
+	if (method == "conjugate_gradient")
+		return describe(penaltyMethod(assembly, positions, {}).status);
+	if (method == "local")
+		return describe(localMethod(assembly, positions, {}).status);
+	if (method == "least_norm")
+		return leastNorm(assembly, positions);
+	throw std::runtime_error("unknown method " + method);
+}
+
+Eigen::VectorXd hingeAngles(const PatchAssembly& assembly, const Positions& positions) {
+	const auto normal = [&](int triangle) -> Eigen::Vector3d {
+		const auto places = assembly.trianglePlaces.col(triangle);
+		const detail::TriangleFrame frame(positions.col(places[0]), positions.col(places[1]),
+										  positions.col(places[2]));
+		return (assembly.triangleReversed[triangle] ? -1 : 1) * frame.normal.normalized();
+	};
+	std::vector<double> angles;
+	for (int edge = 0; edge < assembly.edgeCount(); ++edge) {
+		const int half = assembly.edgeHalfEdge[edge], across = assembly.joinedHalfEdge[half];
+		if (across < 0)
+			continue;
+		const Eigen::Vector3d a = normal(half / 3), b = normal(across / 3);
+		const Eigen::Vector3d along =
+			(positions.col(assembly.edgePlaces(1, edge)) - positions.col(assembly.edgePlaces(0, edge)))
+				.normalized();
+		angles.push_back(std::atan2(a.cross(b).dot(along), a.dot(b)));
+	}
+	return Eigen::Map<Eigen::VectorXd>(angles.data(), angles.size());
+}
+
+/// Prints what the table shows, blank between numbers; lengths in % of the diagonal, angles in degrees.
+void printMeasures(const PatchAssembly& assembly, const Positions& positions) {
+	const Positions& original = assembly.originalPositions;
+	const double percent = 100 / (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
+	const Measures before = measure(assembly, original, 1e-4), after = measure(assembly, positions, 1e-4);
+	const Eigen::VectorXd displacement = percent * (positions - original).colwise().norm();
+	const Eigen::VectorXd distance =
+		percent * distancesToSurface(positions, original, assembly.trianglePlaces);
+	const Eigen::VectorXd anglesBefore = hingeAngles(assembly, original),
+						  angles = hingeAngles(assembly, positions);
+	Eigen::VectorXd bent = angles - anglesBefore;
+	for (double& angle : bent)
+		angle = std::remainder(angle, 2 * pi);
+	const auto flipped = (anglesBefore.array().abs() < pi / 2 && angles.array().abs() > 2 * pi / 3).count();
+	const auto smallest = [&](const Positions& p) {
+		return std::atan2(1.0, detail::cornerCotangents(assembly, p).maxCoeff()) * 180 / pi;
+	};
+	std::cout << original.cols() << ' ' << before.totalAbsoluteCurvature << ' '
+			  << after.totalAbsoluteCurvature << ' ' << after.detectFunction / before.detectFunction << ' '
+			  << after.maxAngleDefect << ' ' << displacement.mean() << ' ' << displacement.maxCoeff() << ' '
+			  << distance.mean() << ' ' << distance.maxCoeff() << ' '
+			  << bent.norm() / std::sqrt(double(bent.size())) * 180 / pi << ' ' << smallest(original) << ' '
+			  << smallest(positions) << ' ' << flipped << '\n';
+}
+
+/// Of this program alone; what getrusage tells includes the one that started it.
+double peakMegabytes() {
+	std::ifstream status("/proc/self/status");
+	for (std::string line; std::getline(status, line);)
+		if (line.rfind("VmHWM:", 0) == 0)
+			return std::stod(line.substr(6)) / 1024;
+	return 0;
+}
+
+int run(const std::vector<std::string>& words) {
+	if (words.size() == 5 && words[0] == "shape") {
+		const TriangleMesh mesh = shape(words[1], std::stoi(words[2]), std::stod(words[3]));
+		writeOff(words[4], mesh.positions, mesh.triangles);
+	} else if (words.size() == 4 && words[0] == "run") {
+		const TriangleMesh mesh = readOff(words[2]);
+		const auto start = std::chrono::steady_clock::now();
+		const PatchAssembly assembly = assemblePatches(mesh, {});
+		Positions positions = assembly.originalPositions;
+		const std::string status = runMethod(words[1], assembly, positions);
+		const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+		Positions vertices = mesh.positions;
+		for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+			if (assembly.placeOfVertex[vertex] >= 0)
+				vertices.col(vertex) = positions.col(assembly.placeOfVertex[vertex]);
+		writeOff(words[3], vertices, mesh.triangles);
+		std::cout << seconds.count() << ' ' << peakMegabytes() << ' ' << status << '\n';
+	} else if (words.size() == 3 && words[0] == "measure") {
+		const PatchAssembly assembly = assemblePatches(readOff(words[1]), {});
+		const TriangleMesh after = readOff(words[2]);
+		Positions positions = assembly.originalPositions;
+		for (int vertex = 0; vertex < after.vertexCount(); ++vertex)
+			if (assembly.placeOfVertex[vertex] >= 0)
+				positions.col(assembly.placeOfVertex[vertex]) = after.positions.col(vertex);
+		printMeasures(assembly, positions);
+	} else {
+		std::cerr << "usage: shape NAME COLUMNS NOISE OUT | run METHOD IN OUT | measure BEFORE AFTER\n";
+		return 2;
+	}
+	return 0;
+}
+
+} // namespace
+
+int main(int count, char** words) {
+	try {
+		return run({words + 1, words + count});
+	} catch (const std::exception& error) {
+		std::cerr << error.what() << '\n';
+		return 1;
+	}
+}
