@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the stock meshlabserver 2020.09 with the plugin in it; DEVELOPABLE_MESHLABSERVER names another command."""
+"""Runs the stock meshlabserver 2020.09 with the plugin; DEVELOPABLE_MESHLABSERVER names another command."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def run(script: Path, source: Path | None = None, target: Path | None = None) ->
     if target is not None:
         command += ["-o", str(target), "-m", "vq", "vc"]
     command += ["-s", str(script)]
-    result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300, check=False)
+    result = subprocess.run(command, capture_output=True, timeout=300, check=False)
     return Run(result.returncode, result.stdout.decode(errors="replace"))
 
 

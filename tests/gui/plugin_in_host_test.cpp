@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// plugin_in_host_test.cpp: what scripts can't show of the plugin in its host: progress, stops, errors on the
+// mesh.
+//
+// The first argument is the plugin's file.
+#include "documents.h"
+#include "loaded_plugin.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+namespace developable::test {
+
+namespace {
+
+const QString globalFilter = "Global Developability", localFilter = "Local Developability",
+			  mapsFilter = "Developability Maps";
+
+/// What the host's callback saw; it is a plain function, so this can't be anywhere else.
+struct CallbackRecord {
+	int calls = 0;
+	int stopAtCall = 0; ///< 0: never
+	std::vector<int> percents;
+};
+CallbackRecord record;
+
+bool recordingCallback(const int percent, const char*) {
+	++record.calls;
+	record.percents.push_back(percent);
+	return record.calls != record.stopAtCall;
+}
+
+/// Something that takes both methods a while: they are asked for more than can be had.
+RichParameterList endlessParameters(LoadedPlugin& plugin, const QString& filter, MeshDocument& document) {
+	RichParameterList list = plugin.parameters(filter, document);
+	list.setValue("angle_tolerance", FloatValue(0));
+	if (filter == globalFilter) {
+		list.setValue("solver", EnumerationValue(1));
+		list.setValue("relative_change", FloatValue(0));
+		list.setValue("max_iterations", IntValue(1000000));
+	} else {
+		list.setValue("max_operations", IntValue(2000000000));
+	}
+	return list;
+}
+
+QString statusOf(const Outcome& outcome) {
+	return outcome.log.filter(QRegularExpression("^status: ")).value(0);
+}
+
+} // namespace
+
+class PluginInHostTest : public QObject {
+	Q_OBJECT
+
+public:
+	explicit PluginInHostTest(const QString& file) : plugin_(file) {}
+
+private slots:
+	void initTestCase() { QVERIFY2(plugin_.whyNot().isEmpty(), qUtf8Printable(plugin_.whyNot())); }
+
+	void init() { record = CallbackRecord(); }
+
+	void aStopLeavesTheLayerAsItWas_data() { bothFiltersAndTwoStops(); }
+	void aStopLeavesTheLayerAsItWas() {
+		QFETCH(QString, filter);
+		QFETCH(int, stopAtCall);
+		MeshDocument document;
+		MeshModel& layer = addLayer(document, jitteredGrid(80, 80, bumpedCylinder));
+		const LayerState before(layer);
+		record.stopAtCall = stopAtCall;
+		const Outcome outcome =
+			plugin_.apply(filter, document, endlessParameters(plugin_, filter, document), recordingCallback);
+		QVERIFY2(outcome.succeeded, qUtf8Printable(outcome.error));
+		QVERIFY2(statusOf(outcome).startsWith("status: stopped by the user"),
+				 qUtf8Printable(outcome.log.join('\n')));
+		QVERIFY(outcome.log.contains("max_displacement: 0"));
+		QCOMPARE(record.calls, stopAtCall);
+		QVERIFY(LayerState(layer) == before);
+	}
+
+	void progressIsToldAtMostTwentyTimesASecond() {
+		MeshDocument document;
+		addLayer(document, jitteredGrid(40, 40, bumpedCylinder));
+		RichParameterList list = endlessParameters(plugin_, globalFilter, document);
+		list.setValue("max_iterations", IntValue(200));
+		QElapsedTimer timer;
+		timer.start();
+		QVERIFY(plugin_.apply(globalFilter, document, list, recordingCallback).succeeded);
+		QVERIFY(record.calls > 2);
+		QVERIFY(record.calls <= 2 + timer.elapsed() / 50);
+		QVERIFY(std::is_sorted(record.percents.begin(), record.percents.end()));
+		QVERIFY(record.percents.front() >= 0 && record.percents.back() <= 100);
+	}
+
+	void aHostWithoutCallbackIsServedToo() {
+		MeshDocument document;
+		MeshModel& layer = addLayer(document, jitteredGrid(9, 9, bumpedCylinder));
+		const LayerState before(layer);
+		QVERIFY(plugin_.apply(globalFilter, document, plugin_.parameters(globalFilter, document), nullptr)
+					.succeeded);
+		QVERIFY(!(LayerState(layer) == before));
+	}
+
+	void aSuccessWritesWhatItSays() {
+		MeshDocument document;
+		MeshModel& layer = addLayer(document, jitteredGrid(9, 9, bumpedCylinder));
+		QVERIFY(!layer.hasDataMask(MeshModel::MM_VERTCOLOR));
+		QVERIFY(plugin_.apply(localFilter, document, plugin_.parameters(localFilter, document), nullptr)
+					.succeeded);
+		QVERIFY(layer.hasDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY));
+		QCOMPARE(LayerState(layer).attributes,
+				 (std::vector<std::string>{"gaussian_map", "original_position"}));
+	}
+
+	void errorsAreSaidAndLeaveTheLayerAsItWas_data() { allFilters(); }
+	void errorsAreSaidAndLeaveTheLayerAsItWas() {
+		QFETCH(QString, filter);
+		TriangleMesh spoilt = jitteredGrid(9, 9, bumpedCylinder);
+		spoilt.positions.col(40).setConstant(std::numeric_limits<double>::infinity());
+		expectRefusal(filter, spoilt, "1 vertex has a coordinate that is infinite or not a number");
+		TriangleMesh flat = jitteredGrid(9, 9, bumpedCylinder);
+		flat.positions.col(flat.triangles(0, 5)) = flat.positions.col(flat.triangles(1, 5));
+		expectRefusal(filter, flat, "no area");
+		if (filter != mapsFilter)
+			expectRefusal(filter, sphere(1, 2), "1 of 1 patch is closed");
+		TriangleMesh cloud = jitteredGrid(9, 9, bumpedCylinder);
+		cloud.triangles.resize(3, 0);
+		expectRefusal(filter, cloud, "no faces");
+	}
+
+	void aDocumentWithoutLayersIsRefused_data() { allFilters(); }
+	void aDocumentWithoutLayersIsRefused() {
+		QFETCH(QString, filter);
+		MeshDocument document;
+		const Outcome outcome =
+			plugin_.apply(filter, document, plugin_.parameters(filter, document), nullptr);
+		QVERIFY(!outcome.succeeded);
+		QCOMPARE(outcome.error, QString("There is no mesh: open one first."));
+	}
+
+private:
+	static void allFilters() {
+		QTest::addColumn<QString>("filter");
+		for (const QString& filter : {globalFilter, localFilter, mapsFilter})
+			QTest::newRow(qUtf8Printable(filter)) << filter;
+	}
+
+	static void bothFiltersAndTwoStops() {
+		QTest::addColumn<QString>("filter");
+		QTest::addColumn<int>("stopAtCall");
+		for (const QString& filter : {globalFilter, localFilter})
+			for (const int call : {1, 4})
+				QTest::addRow("%s, call %d", qUtf8Printable(filter), call) << filter << call;
+	}
+
+	void expectRefusal(const QString& filter, const TriangleMesh& mesh, const QString& sentence) {
+		MeshDocument document;
+		MeshModel& layer = addLayer(document, mesh);
+		const LayerState before(layer);
+		const Outcome outcome =
+			plugin_.apply(filter, document, plugin_.parameters(filter, document), nullptr);
+		QVERIFY(!outcome.succeeded);
+		QVERIFY2(outcome.error.contains(sentence), qUtf8Printable(outcome.error));
+#if DEVELOPABLE_HOST_YEAR == 2020
+		QVERIFY2(outcome.log.contains(outcome.error), "meshlabserver prints the log only");
+#endif
+		QVERIFY(LayerState(layer) == before);
+	}
+
+	LoadedPlugin plugin_;
+};
+
+} // namespace developable::test
+
+int main(int argumentCount, char** arguments) {
+	QApplication application(argumentCount, arguments);
+	developable::test::PluginInHostTest test(QString::fromLocal8Bit(arguments[1]));
+	return QTest::qExec(&test, argumentCount - 1, arguments + 1);
+}
+
+#include "plugin_in_host_test.moc"
