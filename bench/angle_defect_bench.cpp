@@ -6,35 +6,16 @@
 // global and local
 #include "developable/local_method.h"
 #include "developable/penalty_method.h"
+#include "support/processor_time.h"
 #include "support/shapes.h"
 
 #include <cstdio>
-#include <ctime>
 #include <sys/resource.h>
 #include <unistd.h>
 
 namespace {
 
 using namespace developable;
-
-/// Of this process alone, so that others on the machine disturb less.
-double processorSeconds() {
-	timespec time;
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-	return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// The best of some runs: the least disturbed.
-template <class Run>
-double leastSeconds(const Run& run, int runs) {
-	double least = 1e300;
-	for (int i = 0; i < runs; ++i) {
-		const double start = processorSeconds();
-		run();
-		least = std::min(least, processorSeconds() - start);
-	}
-	return least;
-}
 
 double peakBytes() {
 	rusage usage;
@@ -76,10 +57,11 @@ int main(int count, char** arguments) {
 	const Positions& positions = assembly.originalPositions;
 	const int runs = mesh.triangleCount() > 300000 ? 5 : 30;
 	Eigen::VectorXd defects;
-	const double defectSeconds = leastSeconds([&] { defects = angleDefects(assembly, positions); }, runs);
+	const double defectSeconds =
+		test::leastSeconds([&] { defects = angleDefects(assembly, positions); }, runs);
 	Positions gradient;
 	const double gradientSeconds =
-		leastSeconds([&] { gradient = detectFunctionGradient(assembly, positions, defects); }, runs);
+		test::leastSeconds([&] { gradient = detectFunctionGradient(assembly, positions, defects); }, runs);
 
 	Positions moved = positions;
 	LocalMethodOptions localOptions;

@@ -11,74 +11,70 @@ namespace developable::detail {
 /// the smallest number, so that it does not depend on the heap's history.
 class IndexedHeap {
 public:
-	explicit IndexedHeap(int size) : key_(size, 0), slot_(size, -1) {}
+	explicit IndexedHeap(int size) : slot_(size, -1) {}
 
 	bool empty() const { return heap_.empty(); }
 	int size() const { return static_cast<int>(heap_.size()); }
 	bool contains(int item) const { return slot_[item] >= 0; }
-	int top() const { return heap_.front(); }
-	double topKey() const { return key_[heap_.front()]; }
+	int top() const { return heap_.front().item; }
+	double topKey() const { return heap_.front().key; }
 
 	/// Inserts an item, or gives it another key.
 	void set(int item, double key) {
-		key_[item] = key;
 		if (slot_[item] < 0) {
-			slot_[item] = static_cast<int>(heap_.size());
-			heap_.push_back(item);
+			slot_[item] = size();
+			heap_.emplace_back();
 		}
-		siftDown(siftUp(slot_[item]));
+		sift(slot_[item], {key, item});
 	}
 
 	void remove(int item) {
 		const int slot = std::exchange(slot_[item], -1);
-		const int last = heap_.back();
+		const Entry last = heap_.back();
 		heap_.pop_back();
-		if (last == item)
-			return;
-		heap_[slot] = last;
-		slot_[last] = slot;
-		siftDown(siftUp(slot));
+		if (last.item != item)
+			sift(slot, last);
 	}
 
 private:
-	// Four children a node: fewer levels, and siblings share a cache line.
+	// Four children a node: fewer levels, and siblings with their keys fill one cache line.
 	static constexpr int arity = 4;
 
-	bool above(int a, int b) const { return key_[a] > key_[b] || (key_[a] == key_[b] && a < b); }
+	struct Entry {
+		double key = 0;
+		int item = 0;
 
-	void put(int slot, int item) {
-		heap_[slot] = item;
-		slot_[item] = slot;
+		bool isAbove(const Entry& other) const {
+			return key > other.key || (key == other.key && item < other.item);
+		}
+	};
+
+	void put(int slot, const Entry& entry) {
+		heap_[slot] = entry;
+		slot_[entry.item] = slot;
 	}
 
-	int siftUp(int slot) {
-		const int item = heap_[slot];
-		while (slot > 0 && above(item, heap_[(slot - 1) / arity])) {
+	/// Puts an entry where it belongs, above or below a slot that is free.
+	void sift(int slot, const Entry& entry) {
+		while (slot > 0 && entry.isAbove(heap_[(slot - 1) / arity])) {
 			put(slot, heap_[(slot - 1) / arity]);
 			slot = (slot - 1) / arity;
 		}
-		put(slot, item);
-		return slot;
-	}
-
-	void siftDown(int slot) {
-		const int item = heap_[slot], count = static_cast<int>(heap_.size());
-		while (slot * arity + 1 < count) {
+		while (slot * arity + 1 < size()) {
 			int best = slot * arity + 1;
-			for (int child = best + 1; child <= slot * arity + arity && child < count; ++child)
-				if (above(heap_[child], heap_[best]))
+			for (int child = best + 1; child <= slot * arity + arity && child < size(); ++child)
+				if (heap_[child].isAbove(heap_[best]))
 					best = child;
-			if (!above(heap_[best], item))
+			if (!heap_[best].isAbove(entry))
 				break;
 			put(slot, heap_[best]);
 			slot = best;
 		}
-		put(slot, item);
+		put(slot, entry);
 	}
 
-	std::vector<double> key_;
 	std::vector<int> slot_; // of each item in heap_, or -1
-	std::vector<int> heap_;
+	std::vector<Entry> heap_;
 };
 
 } // namespace developable::detail
