@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the options of Local Developability gain and lose, and what its operations cost.
 
-Run by bench/run.sh: local_method.py EXECUTABLE [MESH...], the meshes being those of `meshes/` when none is named.
+Run by bench/run.sh: local_method.py EXECUTABLE [MESH...]; without a mesh those of `meshes/`.
 """
 
 import math
@@ -69,7 +69,7 @@ def print_options(mesh: str) -> None:
         f"roughness {math.degrees(start['roughness_before']):.2f}° before\n"
     )
     print(
-        "| options | G/G0 | D | C, rad | roughness, ° | mean move | largest | operations | aside | refused | s |"
+        "| options | G/G0 | D | C, rad | roughness, ° | mean move | largest | visits | aside | refused | s |"
     )
     print("|---" * 11 + "|")
     for name, parameters in OPTIONS.items():
