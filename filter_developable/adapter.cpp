@@ -133,6 +133,8 @@ host::Interface::FilterClass menuClass(const FilterDescription& filter) {
 		return host::Interface::Quality;
 	case FilterClass::Remeshing:
 		return host::Interface::Remeshing;
+	case FilterClass::Texture:
+		return host::Interface::Texture;
 	}
 	return host::Interface::Generic;
 }
@@ -147,6 +149,8 @@ int changedElements(const FilterDescription& filter) {
 		return shown;
 	case Change::Faces:
 		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
+	case Change::TextureCoordinates:
+		return shown | MeshModel::MM_WEDGTEXCOORD;
 	}
 	return MeshModel::MM_ALL;
 }
@@ -157,7 +161,10 @@ Results runOnDocument(const FilterDescription& filter, MeshDocument& document,
 	if (document.mm() == nullptr)
 		throw EmptyMesh("There is no mesh: open one first.");
 	Layer layer(*document.mm());
-	FilterCall call{layer, {}, hostProgress(callback), log};
+	const auto addLayer = [&document, label = document.mm()->label()](const std::string& suffix) {
+		return Layer(*document.addNewMesh(QString(), (label + toQString(suffix)).trimmed(), true));
+	};
+	FilterCall call{layer, {}, hostProgress(callback), log, addLayer};
 	for (const Parameter& parameter : filter.parameters)
 		call.values.set(parameter.name, valueOf(parameter, parameters, document));
 	return runFilter(filter, call);

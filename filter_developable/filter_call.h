@@ -18,6 +18,8 @@ struct FilterCall {
 	ParameterValues values;
 	Progress progress;
 	std::function<void(const std::string& line)> log;
+	/// Adds an empty layer, named like the current one with a suffix, and makes it the current one.
+	std::function<Layer(const std::string& suffix)> addLayer;
 };
 
 } // namespace developable::plugin

@@ -28,10 +28,10 @@ struct Parameter {
 };
 
 /// The menu that a filter is found in.
-enum class FilterClass { Smoothing, Quality, Remeshing };
+enum class FilterClass { Smoothing, Quality, Remeshing, Texture };
 
 /// What a filter changes when it succeeds.
-enum class Change { Positions, Scalars, Faces };
+enum class Change { Positions, Scalars, Faces, TextureCoordinates };
 
 struct FilterDescription {
 	std::string name;       ///< in menus and in .mlx scripts

@@ -24,6 +24,7 @@ public:
 
 	void enableVertexQuality() { model_.updateDataMask(MeshModel::MM_VERTQUALITY); }
 	void enableVertexColours() { model_.updateDataMask(MeshModel::MM_VERTCOLOR); }
+	void enableTextureCoordinates() { model_.updateDataMask(MeshModel::MM_WEDGTEXCOORD); }
 
 private:
 	MeshModel& model_;

@@ -9,15 +9,14 @@ namespace developable::plugin {
 FilterDescription globalDevelopability();
 FilterDescription localDevelopability();
 FilterDescription developabilityMaps();
+FilterDescription patchFlattening();
 #ifdef DEVELOPABLE_HAS_CGAL
 FilterDescription polygonTriangulation();
 #endif
 
 inline std::vector<FilterDescription> allFilters() {
 	return {
-		globalDevelopability(),
-		localDevelopability(),
-		developabilityMaps(),
+		globalDevelopability(), localDevelopability(), developabilityMaps(), patchFlattening(),
 #ifdef DEVELOPABLE_HAS_CGAL
 		polygonTriangulation(),
 #endif

@@ -75,6 +75,14 @@ detail::PanelMesh onlyPanel(const PatchAssembly& assembly) {
 							 detail::triangleTurned(assembly, assembly.originalPositions), panelTriangle);
 }
 
+/// The layout of an uncut panel, in the order of the panel's vertices.
+detail::PlanePositions inPanelOrder(const FlatPatterns& patterns, const detail::PanelMesh& panel) {
+	detail::PlanePositions positions(2, panel.vertexCount());
+	for (int corner = 0; corner < panel.halfEdgeCount(); ++corner)
+		positions.col(panel.start(corner)) = patterns.positions.col(patterns.vertexAt(corner));
+	return positions;
+}
+
 /// Both triangles of a matrix of which one is stored.
 Eigen::MatrixXd dense(const detail::PlaneHessian& hessian) {
 	const Eigen::MatrixXd lower(hessian.matrix());
@@ -98,7 +106,7 @@ TEST(Flatten, DevelopablePanelsComeOutIsometric) {
 		const FlatPatterns patterns = flattened(mesh);
 		EXPECT_LT(patterns.report.maxEdgeStrain, 1e-11);
 		EXPECT_EQ(patterns.report.flippedFaces, 0);
-		EXPECT_EQ(patterns.vertexCount(), mesh.vertexCount());
+		EXPECT_EQ(patterns.triangles, mesh.triangles); // a disk keeps its vertices' order
 		EXPECT_TRUE(patterns.report.notes.empty());
 	}
 }
@@ -176,7 +184,8 @@ TEST(Flatten, LowersTheEnergyOfTheConformalStart) {
 		EXPECT_LT(patterns.report.elasticEnergy, 0.5 * springs.energy(start));
 		EXPECT_TRUE(patterns.pieces[0].converged);
 		// At a minimum no vertex is pulled anywhere.
-		EXPECT_LT(springs.gradient(patterns.positions).norm(), 1e-5 * std::sqrt(springs.energy(start)));
+		EXPECT_LT(springs.gradient(inPanelOrder(patterns, panel)).norm(),
+				  1e-5 * std::sqrt(springs.energy(start)));
 	}
 }
 

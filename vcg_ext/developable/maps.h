@@ -16,7 +16,8 @@ enum class Map {
 	MaximumCurvature,
 	Distance,
 	Displacement,
-	ElasticEnergy
+	ElasticEnergy, ///< of flattening, as all behind it
+	EdgeStrain
 };
 
 struct MapProperties {
@@ -37,6 +38,7 @@ inline constexpr MapProperties mapProperties[] = {
 	{Map::Distance, "Distance", "distance", "length", false},
 	{Map::Displacement, "Displacement", "displacement", "length", false},
 	{Map::ElasticEnergy, "Elastic energy", "elastic_energy", "length²", false},
+	{Map::EdgeStrain, "Edge strain", "edge_strain", "1", false},
 };
 
 inline const MapProperties& propertiesOf(Map map) {

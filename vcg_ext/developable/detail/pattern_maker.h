@@ -79,13 +79,14 @@ private:
 		firstVertex_ = {0};
 		for (const FlatPanel& flat : flat_)
 			firstVertex_.push_back(firstVertex_.back() + flat.mesh.vertexCount());
+		orderVertices();
 		patterns_.positions.resize(2, firstVertex_.back());
 		patterns_.placeOfVertex.resize(firstVertex_.back());
 		patterns_.pieceOfVertex.resize(firstVertex_.back());
 		for (int corner = 0; corner < 3 * assembly_.triangleCount(); ++corner) {
 			const int piece = assembly_.patchOfTriangle[corner / 3];
 			const PanelMesh& mesh = flat_[piece].mesh;
-			const int vertex = firstVertex_[piece] + mesh.start(panelCorner(corner));
+			const int vertex = patternVertex(piece, mesh.start(panelCorner(corner)));
 			patterns_.triangles.data()[corner] = vertex;
 			patterns_.placeOfVertex[vertex] = assembly_.trianglePlaces.data()[corner];
 			patterns_.pieceOfVertex[vertex] = piece;
@@ -93,8 +94,29 @@ private:
 				patterns_.joinedHalfEdge[corner] = -1;
 		}
 		for (int piece = 0; piece < assembly_.patchCount(); ++piece)
-			patterns_.positions.middleCols(firstVertex_[piece], flat_[piece].mesh.vertexCount()) =
-				flat_[piece].positions;
+			for (int vertex = 0; vertex < flat_[piece].mesh.vertexCount(); ++vertex)
+				patterns_.positions.col(patternVertex(piece, vertex)) = flat_[piece].positions.col(vertex);
+	}
+
+	/// Within a piece vertices follow the order of their places, so that a disk keeps the model's order.
+	void orderVertices() {
+		std::vector<int> place(firstVertex_.back()), order(firstVertex_.back());
+		for (int corner = 0; corner < 3 * assembly_.triangleCount(); ++corner) {
+			const int piece = assembly_.patchOfTriangle[corner / 3];
+			place[firstVertex_[piece] + flat_[piece].mesh.start(panelCorner(corner))] =
+				assembly_.trianglePlaces.data()[corner];
+		}
+		std::iota(order.begin(), order.end(), 0);
+		for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+			std::stable_sort(order.begin() + firstVertex_[piece], order.begin() + firstVertex_[piece + 1],
+							 [&](int a, int b) { return place[a] < place[b]; });
+		patternVertex_.resize(order.size());
+		for (std::size_t i = 0; i < order.size(); ++i)
+			patternVertex_[order[i]] = static_cast<int>(i);
+	}
+
+	int patternVertex(int piece, int panelVertex) const {
+		return patternVertex_[firstVertex_[piece] + panelVertex];
 	}
 
 	/// The boundary that encloses the largest area, as vertices of the patterns.
@@ -108,7 +130,7 @@ private:
 				const auto a = flat_[piece].positions.col(flat_[piece].mesh.start(h));
 				const auto b = flat_[piece].positions.col(flat_[piece].mesh.end(h));
 				area += a[0] * b[1] - a[1] * b[0];
-				vertices.push_back(firstVertex_[piece] + flat_[piece].mesh.start(h));
+				vertices.push_back(patternVertex(piece, flat_[piece].mesh.start(h)));
 			}
 			if (area > largest) {
 				largest = area;
@@ -137,7 +159,8 @@ private:
 	std::vector<PanelMesh> panels_;
 	std::vector<std::vector<std::vector<int>>> loops_; // per panel
 	std::vector<FlatPanel> flat_;
-	std::vector<int> firstVertex_; // pieces + 1
+	std::vector<int> firstVertex_;   // pieces + 1, where each one's vertices begin
+	std::vector<int> patternVertex_; // of every panel's vertices in turn
 	FlatPatterns patterns_;
 };
 

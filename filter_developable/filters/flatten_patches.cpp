@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flatten_patches.cpp: the filter Flatten Patches.
+#include "../map_output.h"
+#include "../pattern_layer.h"
+#include "../shared_parameters.h"
+#include "filters.h"
+
+#include "developable/flatten.h"
+#include "developable/mesh_reader.h"
+
+#include <chrono>
+
+namespace developable::plugin {
+
+namespace {
+
+/// The patterns as a mesh with the host's scalar holds them, measured again.
+FlatPatterns roundedPatterns(FlatPatterns patterns, const PatchAssembly& assembly) {
+	patterns.positions = patterns.positions.cast<host::Scalar>().cast<double>();
+	measurePatterns(assembly, assembly.originalPositions, patterns);
+	return patterns;
+}
+
+/// An assembly that says of a layer made by writePatterns only which vertex a value belongs to.
+PatchAssembly verticesOf(const FlatPatterns& patterns) {
+	PatchAssembly assembly;
+	assembly.placeOfVertex.resize(std::size_t(patterns.vertexCount()));
+	std::iota(assembly.placeOfVertex.begin(), assembly.placeOfVertex.end(), 0);
+	return assembly;
+}
+
+void logSeams(const FilterCall& call, const std::vector<Seam>& seams) {
+	constexpr std::size_t most = 100;
+	for (std::size_t i = 0; i < std::min(seams.size(), most); ++i) {
+		const Seam& seam = seams[i];
+		call.log("seam " + std::to_string(i + 1) + ": piece " + std::to_string(seam.piece[0] + 1) + " with " +
+				 std::to_string(seam.piece[1] + 1) + ", lengths " + formatted(seam.length[0], 6) + " and " +
+				 formatted(seam.length[1], 6) + ", mismatch " + formatted(seam.mismatch(), 3));
+	}
+	if (seams.size() > most)
+		call.log("and " + std::to_string(seams.size() - most) + " more seams");
+}
+
+/// Writes both maps to the model and to the patterns, and shows the chosen one on both.
+void writeMaps(FilterCall& call, Layer& patternLayer, const PatchAssembly& assembly,
+			   const FlatPatterns& patterns) {
+	const Map maps[] = {Map::EdgeStrain, Map::ElasticEnergy}; // as the parameter has them
+	FilterCall onPatterns{patternLayer, call.values, call.progress, [](const std::string&) {}, call.addLayer};
+	const PatchAssembly patternVertices = verticesOf(patterns);
+	for (const int i : {0, 1}) {
+		const Eigen::VectorXd& values = i == 0 ? patterns.edgeStrain : patterns.elasticEnergy;
+		const Eigen::VectorXd placeValues = largestAtPlaces(assembly, patterns, values);
+		writeMap(call, assembly, maps[i], placeValues);
+		writeMap(onPatterns, patternVertices, maps[i], values);
+		if (i != call.values.integer("map"))
+			continue;
+		showMap(call, assembly, maps[i], placeValues);
+		showMap(onPatterns, patternVertices, maps[i], values);
+	}
+}
+
+Results run(FilterCall& call) {
+	const auto start = std::chrono::steady_clock::now();
+	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
+	FlattenOptions options;
+	options.gap = call.values.number("gap");
+	FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions, options, call.progress);
+	if (patterns.report.stopped) {
+		call.log("stopped by the user: nothing was changed");
+	} else {
+		patterns = roundedPatterns(std::move(patterns), assembly);
+		if (call.values.boolean("write_texture_coordinates"))
+			writeTextureCoordinates(call.layer, assembly, patterns);
+		Layer patternLayer = call.addLayer(" pattern");
+		writePatterns(patternLayer, patterns);
+		writeMaps(call, patternLayer, assembly, patterns);
+		logSeams(call, patterns.seams);
+		for (const std::string& note : patterns.report.notes)
+			call.log(note);
+	}
+	const FlattenReport& report = patterns.report;
+	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+	return {
+		{"pieces", report.pieces, ""},
+		{"max_edge_strain", report.maxEdgeStrain, ""},
+		{"mean_edge_strain", report.meanEdgeStrain, ""},
+		{"elastic_energy", report.elasticEnergy, ""},
+		{"max_seam_mismatch", report.maxSeamMismatch, ""},
+		{"overlapping_pieces", report.overlappingPieces, ""},
+		{"flipped_faces", report.flippedFaces, ""},
+		{"seconds", elapsed.count(), ""},
+	};
+}
+
+} // namespace
+
+FilterDescription patchFlattening() {
+	FilterDescription filter;
+	filter.name = "Flatten Patches";
+	filter.pythonName = "generate_flat_patches";
+	filter.filterClass = FilterClass::Texture;
+	filter.change = Change::TextureCoordinates;
+	filter.help =
+		"Lays every panel of the layer flat, as a <b>pattern</b> to cut and sew: at the model's own scale, with "
+		"edges as long as they are on the model, or as nearly so as can be, and without a flipped face. The "
+		"patterns are a new layer in the plane z = 0 whose faces are those of the model in the same order. "
+		"Pieces show their outside, stand upright by their longest seam, and lie side by side.<br><br>"
+		"Holes stay open and are not filled. A panel is cut open only where it can't be flat otherwise, like a "
+		"tube along its length; the log says so. It also gives the lengths of both sides of every seam, the "
+		"<b>edge strain</b> (change of length over length), the <b>elastic energy</b> (Eq. 7), and which pieces "
+		"overlap. A panel that Global Developability has finished comes out with next to no strain. Closed "
+		"surfaces, and surfaces with handles, must be cut first.<br><br>"
+		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
+		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
+		"Fig. 1; <i>R. Sawhney, K. Crane</i>, <b>Boundary First Flattening</b>, ACM Transactions on Graphics "
+		"37, 2017, for where the flattening starts.";
+	filter.parameters = {
+		patchesParameter(),
+		weldDistanceParameter(),
+		onlySelectedParameter(),
+		automaticLength(
+			"gap", "Gap",
+			"How far apart the pieces lie; -1, as any negative number, means 2 % of the diagonal of "
+			"the largest piece's box."),
+		enumeration(
+			"map", {"Edge strain", "Elastic energy"}, 0, "Map",
+			"What is written to the vertex quality of the model and of the patterns: the greatest strain "
+			"of the edges at a vertex, or half of the energy of these edges (Fig. 1)."),
+		boolParameter(
+			"write_texture_coordinates", false, "Write texture coordinates",
+			"Write the patterns to the model too, as texture coordinates of its face corners, scaled "
+			"to fit the unit square."),
+		colorizeParameter(),
+	};
+	filter.run = run;
+	return filter;
+}
+
+} // namespace developable::plugin

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// pattern_layer.cpp: vertices, faces and texture coordinates from patterns.
+#include "pattern_layer.h"
+
+#include <vcg/complex/allocate.h>
+
+namespace developable::plugin {
+
+void writePatterns(Layer& layer, const FlatPatterns& patterns) {
+	CMeshO& mesh = layer.mesh();
+	const auto triangleCount = static_cast<std::size_t>(patterns.triangles.cols());
+	vcg::tri::Allocator<CMeshO>::AddVertices(mesh, std::size_t(patterns.vertexCount()));
+	vcg::tri::Allocator<CMeshO>::AddFaces(mesh, triangleCount);
+	for (int vertex = 0; vertex < patterns.vertexCount(); ++vertex)
+		mesh.vert[std::size_t(vertex)].P() =
+			vcg::Point3<host::Scalar>(static_cast<host::Scalar>(patterns.positions(0, vertex)),
+									  static_cast<host::Scalar>(patterns.positions(1, vertex)), 0);
+	for (std::size_t face = 0; face < triangleCount; ++face)
+		for (int corner = 0; corner < 3; ++corner)
+			mesh.face[face].V(corner) =
+				&mesh.vert[std::size_t(patterns.triangles(corner, Eigen::Index(face)))];
+	layer.positionsChanged();
+}
+
+void writeTextureCoordinates(Layer& layer, const PatchAssembly& assembly, const FlatPatterns& patterns) {
+	const Eigen::Vector2d origin = patterns.positions.rowwise().minCoeff();
+	const double size = (patterns.positions.colwise() - origin).maxCoeff();
+	layer.enableTextureCoordinates();
+	for (int t = 0; t < assembly.triangleCount(); ++t) {
+		auto& face = layer.mesh().face[std::size_t(assembly.faceOfTriangle[std::size_t(t)])];
+		for (int corner = 0; corner < 3; ++corner) {
+			const Eigen::Vector2d at =
+				(patterns.positions.col(patterns.triangles(corner, t)) - origin) / size;
+			face.WT(corner).U() = static_cast<float>(at[0]);
+			face.WT(corner).V() = static_cast<float>(at[1]);
+			face.WT(corner).N() = 0;
+		}
+	}
+}
+
+} // namespace developable::plugin
