@@ -154,7 +154,9 @@ def test_texture_coordinates_are_the_patterns_scaled():
     texture = meshes.current_mesh().wedge_tex_coord_matrix()
     assert texture.min() >= 0
     assert texture.max() == pytest.approx(1)
-    np.testing.assert_allclose(texture * np.ptp(pattern, axis=0).max(), pattern - pattern.min(axis=0), atol=1e-6)
+    np.testing.assert_allclose(
+        texture * np.ptp(pattern, axis=0).max(), pattern - pattern.min(axis=0), atol=1e-6
+    )
     again = meshes.apply_filter(FLATTEN, patches="Texture islands")
     assert again["pieces"] == returned["pieces"] == 2
 
