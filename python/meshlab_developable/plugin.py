@@ -20,6 +20,8 @@ FILTERS = (
     "apply_coord_global_developability",
     "apply_coord_local_developability",
     "compute_scalar_by_developability_per_vertex",
+    "generate_flat_patches",
+    "meshing_polygons_to_constrained_delaunay",
 )
 PLUGIN_FILE = "libfilter_developable.so"
 _HOST = re.compile(r"pymeshlab-(\d+\.\d+)")

@@ -93,3 +93,17 @@ class LocalReport(OptimizationReport):
     refused_moves: int
     roughness_before: float  # root mean square angle between neighbouring faces, rad
     roughness_after: float
+
+
+@dataclasses.dataclass(frozen=True)
+class PatternReport(_Report):
+    """What laying patches flat costs. Lengths are in the unit of the mesh; strain has none."""
+
+    pieces: int
+    max_edge_strain: float
+    mean_edge_strain: float
+    elastic_energy: float  # Eq. 7, length²
+    max_seam_mismatch: float  # length
+    overlapping_pieces: int  # with themselves or another
+    flipped_faces: int
+    seconds: float

@@ -15,7 +15,7 @@ import pymeshlab
 import pytest
 import reference_measures as reference
 from meshlab_developable.demo.__main__ import METHODS, demo_inputs, run
-from meshlab_developable.demo.document import verdict
+from meshlab_developable.demo.document import flatness, verdict
 from meshlab_developable.demo.study import Input
 
 PANTS = Path(__file__).parents[2] / "meshes" / "short_pants.obj"
@@ -72,10 +72,26 @@ def test_maps_of_displacement_are_how_far_vertices_moved(study):
         assert moved.max() > 0
 
 
+def test_a_developable_result_is_laid_flat_without_strain(study):
+    newton, *others = study.outcomes
+    assert newton.report.converged
+    assert [outcome.pattern for outcome in others] == [None, None]
+    positions, triangles, _, _ = read_back(newton.pattern.file)
+    assert not positions[:, 2].any()
+    assert np.array_equal(triangles, study.faces)
+    sides = [[(0, 1), (1, 2), (2, 0)]]
+    flat, bent = (
+        np.linalg.norm(np.diff(p[t][:, sides], axis=-2), axis=-1)
+        for p, t in ((positions, triangles), (newton.vertices, study.faces))
+    )
+    assert flat == pytest.approx(bent, rel=1e-3, abs=1e-4)
+    assert newton.pattern.report.max_edge_strain < 1e-4 < study.pattern.report.max_edge_strain
+
+
 def test_histogram_counts_interior_vertices(study):
     interior = len(study.vertices) - len(reference.rim_edges(study.faces))
     assert {name: len(values) for name, values in study.angle_defects.items()} == dict.fromkeys(
-        ["before", "after: Global Developability", "after: Local Developability"], interior
+        ["before", *(f"after: {method.title}" for method in METHODS)], interior
     )
 
 
@@ -87,6 +103,7 @@ def test_text_report_has_the_numbers(study, folder):
         assert verdict(study, outcome) in text
         assert f"{outcome.report.total_absolute_curvature_after:.4g} rad" in text
         assert f"{outcome.report.max_displacement:.4g} cm" in text
+    assert flatness(study.outcomes[0].pattern) in text
 
 
 class Page(html.parser.HTMLParser):
@@ -122,7 +139,8 @@ def test_page_has_the_numbers_and_needs_nothing_else(study, page):
 
 
 def test_every_figure_is_a_picture(study):
-    assert [figure.title for figure in study.figures] == ["Angle defect", "Gaussian map", "Displacement"]
+    titles = [figure.title for figure in study.figures]
+    assert titles == ["Angle defect", "Gaussian map", "Displacement", "Flat pattern"]
     for figure in study.figures:
         assert figure.file.read_bytes().startswith(b"\x89PNG")
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pymeshlab
 
 from meshlab_developable.demo.chart import write_histogram
-from meshlab_developable.demo.document import verdict, write_html, write_text
+from meshlab_developable.demo.document import flatness, verdict, write_html, write_text
 from meshlab_developable.demo.study import Input, Method, Study, study
 from meshlab_developable.errors import DevelopableError
 from meshlab_developable.plugin import load
@@ -21,9 +21,18 @@ ANGLE_TOLERANCE = 0.01  # rad, the paper's
 
 METHODS = (
     Method(
-        "global",
+        "newton",
         "Global Developability",
-        "All vertices move together: conjugate gradients on a penalty function (the paper's Section 4).",
+        "All vertices move together, by constrained Newton steps to the nearest developable shape: "
+        "the default of the filter.",
+        "apply_coord_global_developability",
+        {"solver": "Constrained Newton"},
+        flatten=True,
+    ),
+    Method(
+        "global",
+        "Global, conjugate gradient",
+        "The same filter with the paper's own solver: conjugate gradients on a penalty function (Section 4).",
         "apply_coord_global_developability",
         {"solver": "Conjugate gradient"},
     ),
@@ -65,6 +74,8 @@ def run(inputs: Sequence[Input], methods: Sequence[Method], folder: Path) -> lis
         for outcome in result.outcomes:
             print(f"  {outcome.method.title}: {outcome.report.status.text}")
             print(f"    {verdict(result, outcome)}", flush=True)
+            if outcome.pattern:
+                print(f"    {flatness(outcome.pattern)}", flush=True)
         histograms.append(folder / f"{source.name}_histogram.svg")
         write_histogram(histograms[-1], result.angle_defects, ANGLE_TOLERANCE)
         studies.append(result)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import jinja2
 
-from meshlab_developable.demo.study import Outcome, Study
+from meshlab_developable.demo.study import Outcome, Pattern, Study
 
 Row = tuple[str, str, str]  # what, before, after
 
@@ -87,11 +87,20 @@ def verdict(study: Study, outcome: Outcome) -> str:
     )
 
 
+def flatness(pattern: Pattern) -> str:
+    """A sentence: how well the surface can be laid flat."""
+    report = pattern.report
+    return (
+        f"Laid flat, its edges change their length by {100 * report.max_edge_strain:.2g} % at most and "
+        f"{100 * report.mean_edge_strain:.2g} % on average."
+    )
+
+
 def write_html(file: Path, studies: Sequence[Study], histograms: Sequence[Path]) -> None:
     """One page with everything in it; it needs no other file and no network."""
     template = importlib.resources.files(__package__).joinpath("report.html.j2").read_text("utf-8")
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
-    for function in (comparison, cost, size, verdict, embedded):
+    for function in (comparison, cost, flatness, size, verdict, embedded):
         environment.globals[function.__name__] = function
     chapters = list(zip(studies, histograms, strict=True))
     file.write_text(environment.from_string(template).render(chapters=chapters), encoding="utf-8")
@@ -111,7 +120,10 @@ def write_text(file: Path, studies: Sequence[Study]) -> None:
             lines += [f"{outcome.method.title}: {outcome.report.status.text}", verdict(study, outcome), ""]
             lines += [f"  {what:38}{before:>16}  ->  {after}" for what, before, after in comparison(outcome)]
             lines += [f"  {what:38}{value}" for what, value in cost(study, outcome)]
-            lines += [f"  {'result':38}{outcome.file.name}", ""]
+            lines += [f"  {'result':38}{outcome.file.name}"]
+            if outcome.pattern:
+                lines += [f"  {'flat pattern':38}{outcome.pattern.file.name}", flatness(outcome.pattern)]
+            lines += [""]
     file.write_text("\n".join(lines), encoding="utf-8")
 
 

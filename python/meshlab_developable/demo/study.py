@@ -13,7 +13,7 @@ import pymeshlab
 
 from meshlab_developable.plugin import vertex_quality
 from meshlab_developable.rendering import Array, IndexArray, Picture, View, render, robust_scale
-from meshlab_developable.reports import Measures, OptimizationReport
+from meshlab_developable.reports import Measures, OptimizationReport, PatternReport
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,6 +40,7 @@ class Method:
     what: str  # a sentence
     filter: str
     parameters: Mapping[str, Any]
+    flatten: bool = False  # lay the result flat when the method has converged
 
 
 @dataclasses.dataclass(frozen=True)
@@ -54,6 +55,17 @@ class MapKind:
 
 
 @dataclasses.dataclass(frozen=True)
+class Pattern:
+    """A surface laid flat, and what that costs."""
+
+    report: PatternReport
+    vertices: Array  # in the plane z = 0
+    faces: IndexArray
+    edge_strain: Array  # the largest at each vertex
+    file: Path
+
+
+@dataclasses.dataclass(frozen=True)
 class Outcome:
     """What a method made of a mesh."""
 
@@ -62,6 +74,7 @@ class Outcome:
     vertices: Array  # n x 3
     maps: Mapping[str, Array]  # n values by the map's title
     file: Path
+    pattern: Pattern | None = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -85,6 +98,7 @@ class Study:
     maps: Mapping[str, Array]  # n values by the map's title, before
     outcomes: Sequence[Outcome]
     figures: Sequence[Figure]
+    pattern: Pattern | None = None  # of the mesh as it came, where an outcome has one to compare
 
     @property
     def diagonal(self) -> float:
@@ -117,10 +131,17 @@ MAPS = (
     ),
     MapKind("Displacement", "distance moved, {unit}", False, "How far each vertex moved.", before_too=False),
 )
+EYE_ABOVE = View((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 
 
-def study(source: Input, methods: Sequence[Method], angle_tolerance: float, folder: Path) -> Study:
-    """Measure a mesh, try the methods, write results and pictures into the folder.
+def study(
+    source: Input,
+    methods: Sequence[Method],
+    angle_tolerance: float,
+    folder: Path,
+    kinds: Sequence[MapKind] = MAPS,
+) -> Study:
+    """Measure a mesh, try the methods, write results and pictures of the maps into the folder.
 
     Raises pymeshlab.PyMeshLabException when the mesh cannot be read or a filter refuses it.
     """
@@ -129,28 +150,52 @@ def study(source: Input, methods: Sequence[Method], angle_tolerance: float, fold
     values = _apply_maps_filter(meshes, "Gaussian map", angle_tolerance)
     original = meshes.current_mesh()
     vertices, faces = original.vertex_matrix(), original.face_matrix()
-    maps = _maps(meshes, [kind for kind in MAPS if kind.before_too], angle_tolerance)
+    maps = _maps(meshes, [kind for kind in kinds if kind.before_too], angle_tolerance)
     _save(meshes, folder / f"{source.name}_before.ply")
-    outcomes = [_try(meshes, source, method, angle_tolerance, folder) for method in methods]
+    outcomes = [_try(meshes, source, method, angle_tolerance, folder, kinds) for method in methods]
     figures = [
         _figure(kind, source, vertices, faces, maps, outcomes, folder)
-        for kind in MAPS
+        for kind in kinds
         if kind.before_too or outcomes
     ]
+    pattern = None
+    if any(outcome.pattern for outcome in outcomes):
+        meshes.set_current_mesh(0)
+        pattern = _flatten(meshes, folder / f"{source.name}_before_pattern.ply")
+        figures.append(_pattern_figure(source, pattern, outcomes, folder))
     measures = Measures.from_values(values)
-    return Study(source, angle_tolerance, vertices, faces, measures, maps, outcomes, figures)
+    return Study(source, angle_tolerance, vertices, faces, measures, maps, outcomes, figures, pattern)
 
 
-def _try(meshes: Any, source: Input, method: Method, angle_tolerance: float, folder: Path) -> Outcome:
+def _try(
+    meshes: Any,
+    source: Input,
+    method: Method,
+    angle_tolerance: float,
+    folder: Path,
+    kinds: Sequence[MapKind],
+) -> Outcome:
     meshes.set_current_mesh(0)
     meshes.apply_filter("generate_copy_of_current_mesh")
     values = meshes.apply_filter(method.filter, angle_tolerance=angle_tolerance, **method.parameters)
+    report = OptimizationReport.from_values(values)
     file = folder / f"{source.name}_{method.name}.ply"
-    maps = _maps(meshes, MAPS, angle_tolerance)
+    maps = _maps(meshes, kinds, angle_tolerance)
     vertices = meshes.current_mesh().vertex_matrix()
     _apply_maps_filter(meshes, "Angle defect", angle_tolerance)
     _save(meshes, file)
-    return Outcome(method, OptimizationReport.from_values(values), vertices, maps, file)
+    pattern = None
+    if method.flatten and report.converged:
+        pattern = _flatten(meshes, folder / f"{source.name}_{method.name}_pattern.ply")
+    return Outcome(method, report, vertices, maps, file, pattern)
+
+
+def _flatten(meshes: Any, file: Path) -> Pattern:
+    """Lay the current mesh flat; the pattern is the current layer afterwards."""
+    report = PatternReport.from_values(meshes.apply_filter("generate_flat_patches", map="Edge strain"))
+    mesh = meshes.current_mesh()
+    _save(meshes, file)
+    return Pattern(report, mesh.vertex_matrix(), mesh.face_matrix(), vertex_quality(mesh), file)
 
 
 def _maps(meshes: Any, kinds: Sequence[MapKind], angle_tolerance: float) -> dict[str, Array]:
@@ -198,3 +243,20 @@ def _figure(
     file = folder / f"{source.name}_{kind.title.lower().replace(' ', '_')}.png"
     render(file, pictures, scale, source.view)
     return Figure(file, kind.title, kind.caption)
+
+
+def _pattern_figure(source: Input, before: Pattern, outcomes: Sequence[Outcome], folder: Path) -> Figure:
+    patterns = {"before": before} | {f"after: {o.method.title}": o.pattern for o in outcomes if o.pattern}
+    pictures = [Picture(title, p.vertices, p.faces, 100 * p.edge_strain) for title, p in patterns.items()]
+    scale = robust_scale("edge strain, %", [pictures[0].values], False)
+    file = folder / f"{source.name}_pattern.png"
+    render(file, pictures, scale, EYE_ABOVE)
+    strains = "; ".join(
+        f"{title}: at most {100 * p.report.max_edge_strain:.2g} %, {100 * p.report.mean_edge_strain:.2g} % "
+        "on average"
+        for title, p in patterns.items()
+    )
+    caption = (
+        "The surface laid flat, coloured by how much edges must change their length for that. " + strains
+    )
+    return Figure(file, "Flat pattern", f"{caption}.")
