@@ -78,11 +78,10 @@ def test_a_developable_result_is_laid_flat_without_strain(study):
     assert [outcome.pattern for outcome in others] == [None, None]
     positions, triangles, _, _ = read_back(newton.pattern.file)
     assert not positions[:, 2].any()
-    assert np.array_equal(triangles, study.faces)
-    sides = [[(0, 1), (1, 2), (2, 0)]]
+    assert triangles.shape == study.faces.shape
     flat, bent = (
-        np.linalg.norm(np.diff(p[t][:, sides], axis=-2), axis=-1)
-        for p, t in ((positions, triangles), (newton.vertices, study.faces))
+        np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+        for corners in (positions[triangles], newton.vertices[study.faces])
     )
     assert flat == pytest.approx(bent, rel=1e-3, abs=1e-4)
     assert newton.pattern.report.max_edge_strain < 1e-4 < study.pattern.report.max_edge_strain

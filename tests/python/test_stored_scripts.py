@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""There is a script for every filter in `meshes/scripts/`, with the filter's parameters at their defaults."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pymeshlab
+import pytest
+from meshlab_developable import load, plugin
+
+ROOT = Path(__file__).parents[2]
+NOT_COMPARED = {"description", "tooltip"}  # what a host adds for its readers
+
+
+def filter_of(script: Path) -> ElementTree.Element:
+    return ElementTree.parse(script).getroot().find("filter")
+
+
+STORED = {filter_of(script).get("name"): script for script in (ROOT / "meshes" / "scripts").glob("*.mlx")}
+
+
+def parameters(element: ElementTree.Element) -> list[dict[str, str]]:
+    return [{k: v for k, v in p.attrib.items() if k not in NOT_COMPARED} for p in element]
+
+
+@pytest.fixture(scope="module")
+def used(tmp_path_factory) -> dict[str, ElementTree.Element]:
+    """Each filter as pymeshlab writes it down after a run with defaults, by its name in menus."""
+    load()
+    elements = {}
+    for python_name in plugin.FILTERS:
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(str(ROOT / "meshes" / "dented_shell.obj"))
+        meshes.apply_filter(python_name)
+        script = tmp_path_factory.mktemp("used") / "used.mlx"
+        meshes.save_filter_script(str(script))
+        element = filter_of(script)
+        elements[element.get("name")] = element
+    return elements
+
+
+def test_every_filter_has_a_script(used):
+    assert set(STORED) == set(used)
+
+
+@pytest.mark.parametrize("name", sorted(STORED))
+def test_a_script_holds_the_filters_own_defaults(name, used):
+    wanted = parameters(used[name])
+    stored = parameters(filter_of(STORED[name]))
+    assert [p["name"] for p in stored] == [p["name"] for p in wanted]
+    for ours, theirs in zip(stored, wanted, strict=True):
+        shared = ours.keys() & theirs.keys()
+        assert {k: ours[k] for k in shared - {"min", "max"}} == {
+            k: theirs[k] for k in shared - {"min", "max"}
+        }
+
+
+@pytest.mark.parametrize("name", sorted(STORED))
+def test_a_script_runs_in_pymeshlab(name):
+    load()
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(ROOT / "meshes" / "dented_shell.obj"))
+    meshes.load_filter_script(str(STORED[name]))
+    meshes.apply_filter_script()
+    assert meshes.current_mesh().face_number() == 961
