@@ -199,7 +199,9 @@ def keep_picture(source: Path, name: str, shapes: int) -> str:
         width = SHAPE_WIDTH * shapes
         height = round(image.height * width / image.width)
         small = image.convert("RGB").resize((width, height), Image.Resampling.LANCZOS)
-        small.quantize(256, dither=Image.Dither.FLOYDSTEINBERG).save(DOCS / "pictures" / name, optimize=True)
+        palette = small.quantize(256)  # Pillow dithers to a given palette only
+        few = small.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
+        few.save(DOCS / "pictures" / name, optimize=True)
     return f"pictures/{name}"
 
 
@@ -223,7 +225,7 @@ def comparison(result: Study, at_mean_edge: Spread) -> str:
 
     newton = "does" if "newton" in here else "does not"
     return (
-        f"**In the paper** {words(paper)} of its two methods reached a developable surface. **Here** "
+        f"Of the paper's two methods {words(paper)} reached a developable surface **in the paper**; **here** "
         f"{words(here - {'newton'})} came within {ANGLE_TOLERANCE:g} rad at every vertex. {agreement} "
         f"The local method did so in {at_mean_edge.converged} of {len(at_mean_edge.reports)} runs with δ_T "
         f"within 1 % of the mean edge length. Constrained Newton {newton} reach a developable shape, with C "
