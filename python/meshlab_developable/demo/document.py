@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 import importlib.resources
+import math
 import mimetypes
 from collections.abc import Sequence
 from pathlib import Path
@@ -77,8 +78,12 @@ def verdict(study: Study, outcome: Outcome) -> str:
     elif after > before:
         curvature = f"The total absolute curvature rose from {before:.3g} to {after:.3g} rad."
     else:
+        gone = 100 * (1 - after / before)
+        share = (
+            f"{gone:.0f}" if gone < 99 else f"{math.floor(100 * gone) / 100:.2f}"
+        )  # 100 is for nothing left
         curvature = (
-            f"{100 * (1 - after / before):.0f} % of the total absolute curvature is gone: "
+            f"{share} % of the total absolute curvature is gone: "
             f"{before:.3g} rad before, {after:.3g} rad after."
         )
     return (
