@@ -208,7 +208,8 @@ def keep_picture(source: Path, name: str, shapes: int) -> str:
 def shown(result: Study, title: str, name: str, caption: str) -> str:
     """A picture of a study with what it shows."""
     figure: Figure = next(figure for figure in result.figures if figure.title == title)
-    shapes = len(result.outcomes) + (title not in ("Distance", "Displacement"))
+    laid_flat = [outcome for outcome in result.outcomes if outcome.pattern]
+    shapes = len(laid_flat if title == "Flat pattern" else result.outcomes) + (title != "Distance")
     return f"![{caption}]({keep_picture(figure.file, name, shapes)})\n\n*{caption}*\n\n"
 
 
@@ -255,6 +256,7 @@ def section(methods: Study, tolerances: Study, spreads: Sequence[Spread]) -> str
         + comparison(methods, spreads[MEAN_EDGES.index(1.0)])
         + shown(methods, "Gaussian map", f"{name}_gaussian.png", f"Gaussian map g² (Fig. 5 to 7). {scale}")
         + shown(methods, "Distance", f"{name}_distance.png", "Distance to the original surface (Fig. 8).")
+        + shown(methods, "Flat pattern", f"{name}_pattern.png", methods.figures[-1].caption)
         + f"### {name}: the difference tolerance of the local method\n\n"
         + table(TOLERANCE_COLUMNS, [runs.row() for runs in spreads])
         + "\n"
