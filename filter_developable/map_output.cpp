@@ -14,14 +14,7 @@
 namespace developable::plugin {
 
 Map chosenMap(const ParameterValues& values) {
-	const Map map = values.choice<Map>("map");
-	if (map == Map::ElasticEnergy)
-		refuseNotYet("The map '" + std::string(propertiesOf(map).title) + "'", "another map");
-	return map;
-}
-
-bool needsOriginal(Map map) {
-	return map == Map::Distance || map == Map::Displacement;
+	return values.choice<Map>("map");
 }
 
 Eigen::VectorXd mapValues(Map map, const PatchAssembly& assembly, const Positions& positions,

@@ -9,11 +9,7 @@
 namespace developable::plugin {
 
 /// The map that the call asks for.
-/// \throws InvalidParameter  when it does not work yet in this version
 Map chosenMap(const ParameterValues& values);
-
-/// True for the maps that are of one shape, whatever it was before.
-bool needsOriginal(Map map);
 
 /// A map of the shape that `positions` make, per place. Distance and Displacement are measured from
 /// `original`. \param original  3 x places; the original surface has the same triangles

@@ -127,8 +127,4 @@ PatchOptions patchOptions(const ParameterValues& values) {
 	return options;
 }
 
-void refuseNotYet(const std::string& what, const std::string& insteadChoose) {
-	throw InvalidParameter(what + " does not work yet in this version; choose " + insteadChoose + ".");
-}
-
 } // namespace developable::plugin

@@ -34,7 +34,4 @@ Parameter colorizeParameter();
 /// What those of the parameters above that the filter has ask for.
 PatchOptions patchOptions(const ParameterValues& values);
 
-/// \throws InvalidParameter  saying that a value "does not work yet in this version", and which to choose
-[[noreturn]] void refuseNotYet(const std::string& what, const std::string& insteadChoose);
-
 } // namespace developable::plugin

@@ -7,6 +7,7 @@
 #include "filters.h"
 
 #include "developable/exceptions.h"
+#include "developable/flatten.h"
 #include "developable/mesh_reader.h"
 #include "developable/surface_distance.h"
 
@@ -19,15 +20,23 @@ struct ComputedMap {
 	Eigen::VectorXd values; ///< per place
 };
 
-/// All maps that can be made.
+/// Of laying the patches flat, per place (Fig. 1).
+Eigen::VectorXd elasticEnergyMap(const PatchAssembly& assembly) {
+	const FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions, FlattenOptions());
+	return largestAtPlaces(assembly, patterns, patterns.elasticEnergy);
+}
+
+/// All maps that can be made. Flattening takes longest and refuses some shapes, so it waits until it is
+/// chosen.
 std::vector<ComputedMap> computeMaps(const PatchAssembly& assembly,
-									 const std::optional<ReferenceShape>& reference) {
+									 const std::optional<ReferenceShape>& reference, Map chosen) {
 	const Positions& positions = assembly.originalPositions;
-	std::vector<ComputedMap> maps = {
-		{Map::GaussianMap, gaussianMap(assembly, positions)},
-		{Map::AngleDefect, angleDefectMap(assembly, positions)},
-		{Map::GaussianCurvature, gaussianCurvatureMap(assembly, positions)},
-	};
+	std::vector<ComputedMap> maps;
+	for (const Map map : {Map::GaussianMap, Map::AngleDefect, Map::GaussianCurvature, Map::MinimumCurvature,
+						  Map::MaximumCurvature})
+		maps.push_back({map, mapValues(map, assembly, positions, positions)});
+	if (chosen == Map::ElasticEnergy)
+		maps.push_back({chosen, elasticEnergyMap(assembly)});
 	if (reference)
 		maps.push_back(
 			{Map::Distance, distancesToSurface(positions, reference->vertices, reference->triangles)});
@@ -74,7 +83,7 @@ Results run(FilterCall& call) {
 	const Map chosen = chosenMap(call.values);
 	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
 	const std::optional<ReferenceShape> reference = referenceShape(call, assembly);
-	const std::vector<ComputedMap> maps = computeMaps(assembly, reference);
+	const std::vector<ComputedMap> maps = computeMaps(assembly, reference, chosen);
 	const ComputedMap& shown = find(maps, chosen, reference.has_value());
 	Results results = measures(assembly, call.values.number("angle_tolerance"));
 	for (const ComputedMap& computed : maps)
@@ -103,17 +112,14 @@ FilterDescription developabilityMaps() {
 	filter.filterClass = FilterClass::Quality;
 	filter.change = Change::Scalars;
 	filter.help =
-		"Shows where the panels of a layer are not <b>developable</b>, that is, where they can't be laid "
-		"flat without "
-		"strain, and how far an optimisation has moved them. The chosen map goes to the vertex quality, all "
-		"maps go "
-		"to custom attributes of the vertices. Where a vertex has a value in several patches the largest is "
+		"Shows where the panels of a layer are not <b>developable</b>, that is, where they can't be laid flat "
+		"without strain, and how far an optimisation has moved them. The chosen map goes to the vertex quality, "
+		"all maps go to custom attributes of the vertices; only the elastic energy, for which the panels have to "
+		"be laid flat, waits until it is chosen. Where a vertex has a value in several patches the largest is "
 		"shown.<br><br>"
-		"The log says how developable the surface is: D, the share of its area that is developable (Eq. 2), "
-		"G, the "
-		"sum of squared angle defects (Eq. 4), the largest angle defect, and C, the total absolute "
-		"curvature, which "
-		"unlike D does not depend on how fine the mesh is.<br><br>"
+		"The log says how developable the surface is: D, the share of its area that is developable (Eq. 2), G, "
+		"the sum of squared angle defects (Eq. 4), the largest angle defect, and C, the total absolute "
+		"curvature, which unlike D does not depend on how fine the mesh is.<br><br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
 		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
 		"Sections 3 and 6.";

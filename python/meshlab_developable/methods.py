@@ -90,9 +90,16 @@ def _run(
     try:
         result = meshes.apply_filter(filter_name, **values)
     except pymeshlab.PyMeshLabException as error:
+        _forget_failure()
         raise FilterError(_own_words(str(error))) from error
     mesh = meshes.current_mesh()
     return np.array(mesh.vertex_matrix()), plugin.vertex_quality(mesh), result
+
+
+def _forget_failure() -> None:
+    """pymeshlab writes to the log of the document whose filter failed last when it next loads a
+    file, though that document is gone by then. Any filter that succeeds makes it forget."""
+    pymeshlab.MeshSet().create_cube()
 
 
 def _checked(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.int32]]:

@@ -93,9 +93,9 @@ def test_a_parameter_out_of_range(name, parameter, value, tmp_path):
     assert ": choose " in sentence
 
 
-def test_a_value_that_does_not_work_yet(tmp_path):
+def test_the_map_of_flattening_a_closed_surface(tmp_path):
     element = mlx_scripts.filter_element(MAPS, map="Elastic energy")
-    assert "does not work yet in this version; choose" in refusal(tmp_path, bump(), element)
+    assert "closed" in refusal(tmp_path, octahedron(), element)
 
 
 @BOTH

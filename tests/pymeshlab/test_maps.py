@@ -55,6 +55,27 @@ def test_writes_every_map_of_the_shape_and_shows_the_chosen_one():
     assert np.array_equal(positions_of(meshes), positions)
 
 
+def test_principal_curvatures_of_a_cylinder_are_zero_and_one_over_its_radius():
+    positions, triangles = cylinder(25, 21)
+    meshes, _ = mapped((positions, triangles), map="Maximum curvature")
+    radius = np.hypot(positions[:, 0], positions[:, 1]).mean()
+    np.testing.assert_allclose(attribute_of(meshes, "kappa_max"), 1 / radius, rtol=0.02)
+    assert np.abs(attribute_of(meshes, "kappa_min")).max() < 0.02 / radius
+    assert np.array_equal(quality_of(meshes), attribute_of(meshes, "kappa_max"))
+
+
+def test_elastic_energy_shows_what_can_not_be_laid_flat():
+    meshes, _ = mapped(cylinder(), map="Elastic energy")
+    assert np.abs(attribute_of(meshes, "elastic_energy")).max() < 1e-20
+    meshes, _ = mapped(bump(), map="Elastic energy")
+    assert attribute_of(meshes, "elastic_energy").max() > 1e-6
+
+
+def test_elastic_energy_waits_until_it_is_chosen():
+    meshes, _ = mapped(bump())
+    assert not has_attribute(meshes, "elastic_energy")
+
+
 def test_signed_maps_are_coloured_symmetrically_about_zero():
     positions, triangles = bump()
     meshes, _ = mapped((positions, triangles), map="Angle defect")

@@ -18,7 +18,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// triangle is read. The order of elimination is found once.
 class SparseCholesky {
 public:
-	/// Says whether the matrix is positive definite to the precision of double.
+	/// Says whether it succeeded. A matrix that is not positive definite fails with CHOLMOD, but need not
+	/// with Eigen's factorisation, so callers that can't be sure of it check what they solve for.
 	bool factorize(const SparseMatrix& matrix) {
 		if (!analyzed_) {
 #ifdef DEVELOPABLE_WITH_CHOLMOD
