@@ -45,6 +45,7 @@ def run(host, program):
     [platforms] = Path("/usr/lib").glob("*/qt5/plugins/platforms")
     environment = {
         **os.environ,
+        "QT_LOGGING_RULES": "*.debug=false",
         "QT_QPA_PLATFORM": "offscreen",
         "QT_QPA_PLATFORM_PLUGIN_PATH": str(platforms),  # the wheel's Qt comes without it
         "LD_LIBRARY_PATH": str(host_library(host).parent),
