@@ -79,17 +79,12 @@ public:
 	}
 
 	/// 2π minus the sum, exact to rounding of the difference itself near 0.
-	double defect() const { return 2 * pi * (1 - (halfTurns_ + 1) / 2) - std::atan2(imaginary_, real_); }
-
-private:
-	/// The arctangent of a ratio below 0.05, where its series ends soon: most angle defects are small.
-	static double smallArctangent(double ratio) {
-		const double square = ratio * ratio;
-		return ratio *
-			   (1 - square * (1.0 / 3 -
-							  square * (1.0 / 5 - square * (1.0 / 7 - square * (1.0 / 9 - square / 11)))));
+	double defect() const {
+		const int turns = (halfTurns_ + 1) / 2;
+		return 2 * pi * (1 - turns) - std::atan2(imaginary_, real_);
 	}
 
+private:
 	double real_ = 1, imaginary_ = 0;
 	int halfTurns_ = 0;
 };
