@@ -120,6 +120,7 @@ private:
 
 	void findProducts() {
 		std::vector<Eigen::Triplet<double>> entries;
+		entries.reserve(rowCount());
 		for (int row = 0; row < rowCount(); ++row)
 			entries.emplace_back(row, row, 0);
 		forEachProduct([&](int row, int column) { entries.emplace_back(row, column, 0); });
