@@ -57,11 +57,11 @@ public:
 		if (cuts.atMost.empty())
 			return minimized(disk, start, neededCuts);
 		const PanelMesh withHoles = cutOpen(panel_, needed);
-		const FlatPanel open = minimized(withHoles, sewn(disk, start, withHoles), neededCuts);
+		FlatPanel open = minimized(withHoles, sewn(disk, start, withHoles), neededCuts);
 		const Eigen::VectorXd strains = edgeStrains(open);
 		if (open.minimum.stopped || strains.maxCoeff() < developableStrain)
 			return open;
-		const FlatPanel cut = minimized(disk, start, neededCuts + static_cast<int>(cuts.atMost.size()));
+		FlatPanel cut = minimized(disk, start, neededCuts + static_cast<int>(cuts.atMost.size()));
 		return strains.mean() > worthOfCut * edgeStrains(cut).mean() ? cut : open;
 	}
 

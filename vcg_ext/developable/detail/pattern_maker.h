@@ -44,6 +44,7 @@ public:
 	FlatPatterns makePatterns(double gap) {
 		joinPanels();
 		std::vector<std::vector<int>> outerLoops;
+		outerLoops.reserve(assembly_.patchCount());
 		for (int piece = 0; piece < assembly_.patchCount(); ++piece)
 			outerLoops.push_back(outerLoop(piece));
 		standUpright(assembly_, positions_, patterns_, outerLoops, firstVertex_);
