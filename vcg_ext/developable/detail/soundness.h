@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../angle_defect.h"
+#include "vertex_normals.h"
 
 namespace developable::detail {
 
@@ -15,7 +16,7 @@ public:
 		const double greatest = cornerCotangents(assembly, assembly.originalPositions).maxCoeff();
 		const double leastAngle = std::min(std::atan2(1.0, greatest) / 2, 2 * pi / 180);
 		greatestCotangent_ = 1 / std::tan(leastAngle * margin);
-		const Eigen::Matrix3Xd normals = unitNormals(assembly.originalPositions);
+		const Eigen::Matrix3Xd normals = triangleNormals(assembly_, assembly.originalPositions);
 		for (const int halfEdge : assembly.edgeHalfEdge) {
 			const int across = assembly.joinedHalfEdge[halfEdge];
 			if (across >= 0 && normals.col(halfEdge / 3).dot(normals.col(across / 3)) > 0)
@@ -26,7 +27,7 @@ public:
 	bool holds(const Positions& positions) const {
 		if (!(cornerCotangents(assembly_, positions).maxCoeff<Eigen::PropagateNaN>() <= greatestCotangent_))
 			return false;
-		const Eigen::Matrix3Xd normals = unitNormals(positions);
+		const Eigen::Matrix3Xd normals = triangleNormals(assembly_, positions);
 		return std::all_of(hinges_.begin(), hinges_.end(), [&](const auto& hinge) {
 			return normals.col(hinge.first).dot(normals.col(hinge.second)) >= -0.5;
 		});
@@ -34,18 +35,6 @@ public:
 
 private:
 	static constexpr double margin = 1.01; ///< for what rounding to the host's scalar may take away
-
-	/// Normals that agree within each patch.
-	Eigen::Matrix3Xd unitNormals(const Positions& positions) const {
-		Eigen::Matrix3Xd normals(3, assembly_.triangleCount());
-		for (int t = 0; t < assembly_.triangleCount(); ++t) {
-			const auto places = assembly_.trianglePlaces.col(t);
-			const TriangleFrame frame(positions.col(places[0]), positions.col(places[1]),
-									  positions.col(places[2]));
-			normals.col(t) = (assembly_.triangleReversed[t] ? -1 : 1) * frame.normal.normalized();
-		}
-		return normals;
-	}
 
 	const PatchAssembly& assembly_;
 	double greatestCotangent_ = 0;
