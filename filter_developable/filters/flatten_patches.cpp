@@ -3,6 +3,7 @@
 #include "../map_output.h"
 #include "../pattern_layer.h"
 #include "../shared_parameters.h"
+#include "../vertex_data.h"
 #include "filters.h"
 
 #include "developable/flatten.h"
@@ -27,6 +28,22 @@ PatchAssembly verticesOf(const FlatPatterns& patterns) {
 	assembly.placeOfVertex.resize(std::size_t(patterns.vertexCount()));
 	std::iota(assembly.placeOfVertex.begin(), assembly.placeOfVertex.end(), 0);
 	return assembly;
+}
+
+/// Says of each vertex of the patterns which piece it is part of (from 0), where it is on the model, and
+/// which place that is: what has the same place is sewn together.
+void writePieces(Layer& patternLayer, const PatchAssembly& assembly, const FlatPatterns& patterns) {
+	const PatchAssembly vertices = verticesOf(patterns);
+	const auto write = [&](const char* name, const std::vector<int>& numbers) {
+		const Eigen::Map<const Eigen::VectorXi> values(numbers.data(), patterns.vertexCount());
+		writeScalarAttribute(patternLayer.mesh(), name, vertices, values.cast<double>());
+	};
+	write("piece", patterns.pieceOfVertex);
+	write("place", patterns.placeOfVertex);
+	Positions onModel(3, patterns.vertexCount());
+	for (int vertex = 0; vertex < patterns.vertexCount(); ++vertex)
+		onModel.col(vertex) = assembly.originalPositions.col(patterns.placeOfVertex[std::size_t(vertex)]);
+	writePointAttribute(patternLayer.mesh(), "model_position", vertices, onModel);
 }
 
 void logSeams(const FilterCall& call, const std::vector<Seam>& seams) {
@@ -73,6 +90,7 @@ Results run(FilterCall& call) {
 			writeTextureCoordinates(call.layer, assembly, patterns);
 		Layer patternLayer = call.addLayer(" pattern");
 		writePatterns(patternLayer, patterns);
+		writePieces(patternLayer, assembly, patterns);
 		writeMaps(call, patternLayer, assembly, patterns);
 		logSeams(call, patterns.seams);
 		for (const std::string& note : patterns.report.notes)

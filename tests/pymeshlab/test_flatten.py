@@ -135,6 +135,26 @@ def test_two_panels_lie_apart_by_the_gap_with_their_seam_upright():
     assert returned["max_seam_mismatch"] < 1e-9  # they mirror each other
 
 
+def test_vertices_say_their_piece_and_what_they_are_sewn_to():
+    gap = 0.01
+    mesh = two_bumps(gap)
+    meshes, _ = flattened(mesh, weld_distance=Length(2 * gap))
+    places, pieces = attribute_of(meshes, "place"), attribute_of(meshes, "piece")
+    half = len(mesh[1]) // 2
+    for piece, faces in enumerate((slice(0, half), slice(half, None))):
+        assert (pieces[meshes.current_mesh().face_matrix()[faces]] == piece).all()
+    of_corner = places[meshes.current_mesh().face_matrix()]
+    on_model = meshes.current_mesh().vertex_custom_point_attribute_matrix("model_position")
+    where = {}
+    for place, vertex in zip(of_corner.flat, mesh[1].flat, strict=True):
+        where.setdefault(place, set()).add(vertex)
+    assert sorted(where) == list(range(len(mesh[0]) - 11))  # the seam has eleven vertices on either side
+    for vertex, place in enumerate(places):
+        linked = mesh[0][list(where[place])]
+        assert np.linalg.norm(linked - linked[0], axis=1).max() <= 2 * gap
+        np.testing.assert_allclose(on_model[vertex], linked.mean(axis=0), atol=1e-12)
+
+
 def test_only_selected_patches_are_laid_flat():
     positions, triangles = two_bumps(gap=1.0)
     meshes = mesh_set((positions, triangles))
