@@ -4,22 +4,21 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import pymeshlab
 
-from meshlab_developable import parameters as kinds
-from meshlab_developable import plugin
-from meshlab_developable.errors import FilterError, InvalidMeshError, InvalidParameterError
+from meshlab_developable import mesh_sets, plugin
+from meshlab_developable.errors import InvalidParameterError
+from meshlab_developable.filters import GLOBAL, LOCAL, MEASURE, Filter
+from meshlab_developable.mesh_sets import Array, Source
 from meshlab_developable.reports import LocalReport, Measures, OptimizationReport
 
-Array = npt.NDArray[np.float64]
-
-_METHODS: dict[str, tuple[str, dict[str, kinds.Kind], type[OptimizationReport]]] = {
-    "global": ("apply_coord_global_developability", kinds.GLOBAL, OptimizationReport),
-    "local": ("apply_coord_local_developability", kinds.LOCAL, LocalReport),
+METHODS: dict[str, tuple[Filter, type[OptimizationReport]]] = {
+    "global": (GLOBAL, OptimizationReport),
+    "local": (LOCAL, LocalReport),
 }
 
 
@@ -40,92 +39,117 @@ class Developed:
     report: OptimizationReport  # for the local method a LocalReport
 
 
-def measure(vertices: npt.ArrayLike, faces: npt.ArrayLike, **parameters: Any) -> Measured:
+def measure(
+    vertices: Source,
+    faces: npt.ArrayLike | None = None,
+    *,
+    face_labels: npt.ArrayLike | None = None,
+    texture_coordinates: npt.ArrayLike | None = None,
+    reference: Source | tuple[npt.ArrayLike, npt.ArrayLike] | None = None,
+    **parameters: Any,
+) -> Measured:
     """How developable a mesh is.
 
-    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Connected components are the patches;
-    vertices that coincide are linked. Parameters are those of the filter Developability Maps:
-    `angle_tolerance` (rad), `weld_distance` (a length), `map` (a name of `parameters.MAPS`).
+    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
+    pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Connected components are the
+    patches, unless there are labels or texture coordinates, or `patches` says otherwise; vertices that
+    coincide are linked.
+
+    face_labels: m of any kind; patches meet where labels differ. texture_coordinates: n x 2, or m x 3 x 2 at
+    the faces' corners; patches are the texture islands. reference: the mesh, as a source or as a pair of
+    vertices and faces, that the maps Distance and Displacement are measured to. Other parameters are those of
+    the filter Developability Maps: `angle_tolerance` (rad), `weld_distance` (a length), `patches`, `map`.
 
     Raises InvalidMeshError, InvalidParameterError, FilterError and what `load` raises.
     """
-    values = kinds.convert(parameters, kinds.MEASURE, "measure")
-    name = "compute_scalar_by_developability_per_vertex"
-    _, quality, result = _run(name, vertices, faces, values)
-    return Measured(Measures.from_values(result), quality)
+    values = MEASURE.checked(array_parameters(parameters, MEASURE, face_labels, texture_coordinates))
+    meshes = opened(vertices, faces, face_labels, texture_coordinates)
+    if reference is not None:
+        pair = reference if isinstance(reference, tuple) else (reference,)
+        values["reference"] = mesh_sets.add_layer(meshes, *pair)
+    result = mesh_sets.apply_filter(meshes, MEASURE, values)
+    return Measured(Measures.from_values(result), plugin.vertex_quality(meshes.current_mesh()))
 
 
 def make_developable(
-    vertices: npt.ArrayLike, faces: npt.ArrayLike, method: str = "global", **parameters: Any
+    vertices: Source,
+    faces: npt.ArrayLike | None = None,
+    method: str = "global",
+    *,
+    only_selected: npt.ArrayLike = False,
+    fix_selected: npt.ArrayLike = False,
+    face_labels: npt.ArrayLike | None = None,
+    texture_coordinates: npt.ArrayLike | None = None,
+    **parameters: Any,
 ) -> Developed:
     """Move the vertices so that each patch becomes developable, or nearer to it, and little else changes.
 
-    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Connected components are the patches;
-    vertices that coincide are linked and stay together. method: "global" (Wang and Tang 2004, Section 4, and
-    the constrained Newton method) or "local" (Section 5). Parameters are those of the filters Global and
-    Local Developability; lengths are plain numbers in the mesh's unit. The arrays given are not changed.
+    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
+    pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Connected components are the
+    patches, unless there are labels or texture coordinates, or `patches` says otherwise; vertices that
+    coincide are linked and stay together. The arrays given are not changed.
+
+    method: "global" (Wang and Tang 2004, Section 4, or constrained Newton) or "local" (Section 5).
+    only_selected: m of bool; only the patches with such a face are worked on, the others hold still.
+    fix_selected: n of bool; these vertices stay. (True alone means the selection that a file brings.)
+    face_labels: m of any kind; patches meet where labels differ. texture_coordinates: n x 2, or m x 3 x 2
+    at the faces' corners; patches are the texture islands. Other parameters are those of the filters Global
+    and Local Developability; lengths are plain numbers in the mesh's unit.
 
     Not converging is no error: see `report.status`. Raises InvalidMeshError, InvalidParameterError,
     FilterError and what `load` raises.
     """
-    if method not in _METHODS:
+    if method not in METHODS:
         raise InvalidParameterError(
-            f"method is {method!r}, but must be one of {', '.join(map(repr, _METHODS))}"
+            f"method is {method!r}, but must be one of {', '.join(map(repr, METHODS))}"
         )
-    name, known, report_type = _METHODS[method]
-    values = kinds.convert(parameters, known, f"the {method} method")
-    positions, quality, result = _run(name, vertices, faces, values)
-    return Developed(positions, quality, report_type.from_values(result))
-
-
-def _run(
-    filter_name: str, vertices: npt.ArrayLike, faces: npt.ArrayLike, values: dict[str, Any]
-) -> tuple[Array, Array, dict[str, Any]]:
-    """The filter's positions, quality and returned values. Nothing of pymeshlab's outlives this call: a mesh
-    dies with its set."""
-    positions, triangles = _checked(vertices, faces)
-    plugin.load()
-    meshes = pymeshlab.MeshSet()
-    meshes.add_mesh(pymeshlab.Mesh(positions, triangles))
-    try:
-        result = meshes.apply_filter(filter_name, **values)
-    except pymeshlab.PyMeshLabException as error:
-        _forget_failure()
-        raise FilterError(_own_words(str(error))) from error
+    applied, report_type = METHODS[method]
+    values = applied.checked(array_parameters(parameters, applied, face_labels, texture_coordinates))
+    meshes = opened(vertices, faces, face_labels, texture_coordinates)
+    values["only_selected"] = _selected(meshes, only_selected, mesh_sets.select_faces)
+    values["fix_selected"] = _selected(meshes, fix_selected, mesh_sets.select_vertices)
+    result = mesh_sets.apply_filter(meshes, applied, values)
     mesh = meshes.current_mesh()
-    return np.array(mesh.vertex_matrix()), plugin.vertex_quality(mesh), result
+    # Copies: what pymeshlab hands out dies with its set.
+    positions = np.array(mesh.vertex_matrix())
+    return Developed(positions, plugin.vertex_quality(mesh), report_type.from_values(result))
 
 
-def _forget_failure() -> None:
-    """pymeshlab writes to the log of the document whose filter failed last when it next loads a
-    file, though that document is gone by then. Any filter that succeeds makes it forget."""
-    pymeshlab.MeshSet().create_cube()
+def opened(
+    vertices: Source,
+    faces: npt.ArrayLike | None,
+    face_labels: npt.ArrayLike | None,
+    texture_coordinates: npt.ArrayLike | None,
+) -> Any:
+    """A set with the mesh as its current layer, with labels and texture coordinates in it."""
+    meshes = mesh_sets.open_mesh(vertices, faces)
+    if face_labels is None and texture_coordinates is None:
+        return meshes
+    return mesh_sets.rebuilt(meshes, face_labels, texture_coordinates)
 
 
-def _checked(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.int32]]:
-    """Copies in the types that pymeshlab takes."""
-    try:
-        positions = np.array(vertices, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidMeshError(f"vertices must be numbers, n x 3: {error}") from None
-    triangles = np.asarray(faces)
-    if positions.ndim != 2 or positions.shape[1] != 3:
-        raise InvalidMeshError(f"vertices must be n x 3, not of shape {positions.shape}")
-    if triangles.ndim != 2 or triangles.shape[1] != 3:
-        raise InvalidMeshError(
-            f"faces must be m x 3, not of shape {triangles.shape}; triangulate other polygons"
-        )
-    if not np.issubdtype(triangles.dtype, np.integer):
-        raise InvalidMeshError(f"faces must be whole numbers, not {triangles.dtype}")
-    outside = int(((triangles < 0) | (triangles >= len(positions))).any(axis=1).sum())
-    if outside:
-        raise InvalidMeshError(
-            f"{outside} faces name vertices that are not there: indices must lie from 0 to "
-            f"{len(positions) - 1}"
-        )
-    return positions, triangles.astype(np.int32)
+def _selected(meshes: Any, chosen: npt.ArrayLike, select: Callable[[Any, npt.ArrayLike], None]) -> bool:
+    """Selects by a mask; whether the filter is to look at the selection."""
+    if isinstance(chosen, bool):
+        return chosen
+    select(meshes, chosen)
+    return True
 
 
-def _own_words(text: str) -> str:
-    """The filter's message without pymeshlab's frame round it."""
-    return text.split("Details:", 1)[-1].strip()
+def array_parameters(
+    parameters: dict[str, Any],
+    applied: Filter,
+    face_labels: npt.ArrayLike | None,
+    texture_coordinates: npt.ArrayLike | None,
+) -> dict[str, Any]:
+    """The parameters, with the seams that the arrays given are there for.
+
+    Raises InvalidParameterError for a parameter that the filter has not.
+    """
+    for name in parameters:
+        applied.parameter(name)
+    seams = {"Face quality": face_labels, "Texture islands": texture_coordinates}
+    given = [kind for kind, array in seams.items() if array is not None]
+    if len(given) > 1 and "patches" not in parameters:
+        raise InvalidParameterError("give face_labels or texture_coordinates, or say which one with patches")
+    return {"patches": given[0], **parameters} if given else parameters

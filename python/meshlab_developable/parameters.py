@@ -1,69 +1,176 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The filters' parameters as this package takes them: plain Python values, checked before the filter runs."""
+"""The filters' parameters: what each takes, from Python values and from text, and how a script writes it.
+
+Values are plain Python values (lengths are numbers in the mesh's unit) and checked before a filter runs.
+"""
 
 from __future__ import annotations
 
-import difflib
+import abc
+import dataclasses
 import math
 import numbers
-from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-import pymeshlab
 
-from meshlab_developable.errors import InvalidParameterError
-
-Kind = Callable[[Any], Any]  # a user's value to pymeshlab's; ValueError says what would do
-
-# A length given as a plain number; pymeshlab 2022.2 has it under the second name.
-_PlainLength = getattr(pymeshlab, "PureValue", None) or pymeshlab.AbsoluteValue
+TRUE, FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
 
-def boolean(value: Any) -> bool:
+class Kind(abc.ABC):
+    """What a parameter takes. The methods raise ValueError, whose text says what would do."""
+
+    script_type: str  # in .mlx scripts
+
+    @abc.abstractmethod
+    def check(self, value: Any) -> Any:
+        """The value as a plain Python value."""
+
+    def parse(self, text: str) -> Any:
+        """The value that a text stands for."""
+        return self.check(text)
+
+    def script_attributes(self, value: Any) -> dict[str, str]:
+        """What an .mlx script says of the parameter when it has this value, besides name and type."""
+        return {"value": f"{value:.15g}"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Boolean(Kind):
     """True or False."""
-    if not isinstance(value, (bool, np.bool_)):
-        raise ValueError("must be True or False")
-    return bool(value)
+
+    script_type = "RichBool"
+
+    def check(self, value: Any) -> bool:
+        """Any kind of bool."""
+        if not isinstance(value, (bool, np.bool_)):
+            raise ValueError("must be True or False")
+        return bool(value)
+
+    def parse(self, text: str) -> bool:
+        """True and false, yes and no, on and off, 1 and 0."""
+        if text.lower() in TRUE + FALSE:
+            return text.lower() in TRUE
+        raise ValueError("must be true or false")
+
+    def script_attributes(self, value: Any) -> dict[str, str]:
+        """In lower case."""
+        return {"value": str(value).lower()}
 
 
-def whole(value: Any) -> int:
+@dataclasses.dataclass(frozen=True)
+class Whole(Kind):
     """A whole number, 0 or more."""
-    if not _is_integer(value) or value < 0:
-        raise ValueError("must be a whole number, 0 or more")
-    return int(value)
+
+    script_type = "RichInt"
+
+    def check(self, value: Any) -> int:
+        """Any kind of integer."""
+        if not _is_integer(value) or value < 0:
+            raise ValueError("must be a whole number, 0 or more")
+        return int(value)
+
+    def parse(self, text: str) -> int:
+        """Decimal digits."""
+        return self.check(int(text) if text.strip().isdecimal() else text)
 
 
-def number(value: Any) -> float:
+@dataclasses.dataclass(frozen=True)
+class Number(Kind):
     """A finite number, 0 or more."""
-    if not _is_finite(value) or value < 0:
-        raise ValueError("must be a finite number, 0 or more")
-    return float(value)
+
+    script_type = "RichFloat"
+
+    def check(self, value: Any) -> float:
+        """Any kind of real number."""
+        if not _is_finite(value) or value < 0:
+            raise ValueError("must be a finite number, 0 or more")
+        return float(value)
+
+    def parse(self, text: str) -> float:
+        """As Python writes numbers."""
+        return self.check(_as_number(text))
 
 
-def length(value: Any) -> Any:
-    """A length in the mesh's unit, 0 or more."""
-    return _PlainLength(number(value))
+@dataclasses.dataclass(frozen=True)
+class Length(Kind):
+    """A length in the mesh's unit, 0 or more; or -1 for the one that suits the mesh, where there is one."""
+
+    automatic: bool = False
+    script_type = "RichAbsPerc"
+
+    def check(self, value: Any) -> float:
+        """Any kind of real number."""
+        if not _is_finite(value) or (value < 0 and not (self.automatic and value == -1)):
+            own_choice = ", or -1 for the filter's own choice" if self.automatic else ""
+            raise ValueError(f"must be a finite length, 0 or more{own_choice}")
+        return float(value)
+
+    def parse(self, text: str) -> float:
+        """As Python writes numbers."""
+        return self.check(_as_number(text))
+
+    def script_attributes(self, value: Any) -> dict[str, str]:
+        """With the range that MeshLab asks for and does not use."""
+        return {"value": f"{value:.15g}", "min": "0", "max": f"{max(1.0, value):.15g}"}
 
 
-def optional_length(value: Any) -> Any:
-    """A length in the mesh's unit, 0 or more, or -1 for the one that suits the mesh."""
-    if not _is_finite(value) or (value < 0 and value != -1):
-        raise ValueError("must be a finite length, 0 or more, or -1 for the filter's own choice")
-    return _PlainLength(float(value))
-
-
-def choice(*texts: str) -> Kind:
+@dataclasses.dataclass(frozen=True)
+class Choice(Kind):
     """One of a list of texts, or its index."""
 
-    def convert(value: Any) -> str:
-        if isinstance(value, str) and value in texts:
-            return value
-        if _is_integer(value) and 0 <= value < len(texts):
-            return texts[int(value)]
-        raise ValueError(f"must be one of {', '.join(map(repr, texts))}")
+    texts: tuple[str, ...]
+    script_type = "RichEnum"
 
-    return convert
+    def check(self, value: Any) -> str:
+        """A text, or its index from 0."""
+        if isinstance(value, str) and value in self.texts:
+            return value
+        if _is_integer(value) and 0 <= value < len(self.texts):
+            return self.texts[int(value)]
+        raise ValueError(f"must be one of {', '.join(map(repr, self.texts))}")
+
+    def parse(self, text: str) -> str:
+        """In any case; or the index."""
+        for known in self.texts:
+            if known.lower() == text.strip().lower():
+                return known
+        return self.check(int(text) if text.strip().isdecimal() else text)
+
+    def script_attributes(self, value: Any) -> dict[str, str]:
+        """The index, and all the texts."""
+        return {
+            "value": str(self.texts.index(value)),
+            "enum_cardinality": str(len(self.texts)),
+            **{f"enum_val{index}": text for index, text in enumerate(self.texts)},
+        }
+
+
+@dataclasses.dataclass(frozen=True)
+class Layer(Kind):
+    """A layer, by its number from 0."""
+
+    script_type = "RichMesh"
+
+    def check(self, value: Any) -> int:
+        """Any kind of integer."""
+        if not _is_integer(value) or value < 0:
+            raise ValueError("must be the number of a layer, 0 or more")
+        return int(value)
+
+    def parse(self, text: str) -> int:
+        """Decimal digits."""
+        return self.check(int(text) if text.strip().isdecimal() else text)
+
+
+@dataclasses.dataclass(frozen=True)
+class Parameter:
+    """A parameter of a filter."""
+
+    name: str
+    kind: Kind
+    default: Any
+    help: str  # a sentence
 
 
 def _is_integer(value: Any) -> bool:
@@ -74,60 +181,8 @@ def _is_finite(value: Any) -> bool:
     return isinstance(value, numbers.Real) and not isinstance(value, bool) and math.isfinite(value)
 
 
-MAPS = (
-    "Gaussian map",
-    "Angle defect",
-    "Gaussian curvature",
-    "Minimum curvature",
-    "Maximum curvature",
-    "Distance",
-    "Displacement",
-)
-
-# Seams other than these two need what arrays do not carry: colours, texture coordinates or quality of faces.
-_SHARED: dict[str, Kind] = {"patches": choice("Connected components"), "weld_distance": length}
-
-GLOBAL: dict[str, Kind] = {
-    "solver": choice("Constrained Newton", "Conjugate gradient"),
-    **_SHARED,
-    "fix_boundary": boolean,
-    "angle_tolerance": number,
-    "curvature_tolerance": number,
-    "max_iterations": whole,
-    "relative_change": number,
-    "smoothness": number,
-    "map": choice(*MAPS),
-}
-
-LOCAL: dict[str, Kind] = {
-    **_SHARED,
-    "angle_tolerance": number,
-    "max_displacement": optional_length,
-    "max_operations": whole,
-    "descent": boolean,
-    "smoothing": number,
-    "assembling_vertices": choice("Fixed", "Move together"),
-    "avoid_self_intersections": boolean,
-    "map": choice(*MAPS),
-}
-
-MEASURE: dict[str, Kind] = {**_SHARED, "angle_tolerance": number, "map": choice(*MAPS)}
-
-
-def convert(parameters: Mapping[str, Any], kinds: Mapping[str, Kind], method: str) -> dict[str, Any]:
-    """The parameters as pymeshlab's filters take them.
-
-    Raises InvalidParameterError for a name that the method has not, naming the nearest, and for a value that
-    it does not take, saying what would do.
-    """
-    converted = {}
-    for name, value in parameters.items():
-        if name not in kinds:
-            near = difflib.get_close_matches(name, kinds, n=1)
-            hint = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(kinds)}."
-            raise InvalidParameterError(f"{method} has no parameter {name!r}; {hint}")
-        try:
-            converted[name] = kinds[name](value)
-        except ValueError as error:
-            raise InvalidParameterError(f"{name} is {value!r}, but {error}") from None
-    return converted
+def _as_number(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text

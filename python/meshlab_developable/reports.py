@@ -84,6 +84,11 @@ class OptimizationReport(_Report):
     def __post_init__(self) -> None:
         object.__setattr__(self, "status", Status(self.status))
 
+    @property
+    def developable(self) -> bool:
+        """Whether the result is, by the method's own tolerances."""
+        return self.status in (Status.CONVERGED, Status.NOTHING_TO_DO)
+
 
 @dataclasses.dataclass(frozen=True)
 class LocalReport(OptimizationReport):

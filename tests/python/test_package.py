@@ -13,7 +13,7 @@ import numpy as np
 import pymeshlab
 import pytest
 import reference_measures as reference
-from meshlab_developable import Status, parameters, plugin
+from meshlab_developable import Status, filters, plugin
 
 ROOT = Path(__file__).parents[2]
 SHELL = ROOT / "meshes" / "dented_shell.obj"
@@ -158,7 +158,7 @@ def test_developable_input_is_left_alone():
         ({"weld_distance": "wide"}, ["weld_distance", "'wide'", "0 or more"]),
         ({"map": "Temperature"}, ["map", "'Temperature'", "'Gaussian map'"]),
         ({"fix_boundary": 1}, ["fix_boundary", "True or False"]),
-        ({"max_displacement": 1}, ["global", "'max_displacement'"]),
+        ({"max_displacement": 1}, ["Global", "'max_displacement'"]),
     ],
 )
 def test_bad_parameters_are_named(shell, arguments, words):
@@ -203,17 +203,133 @@ def filter_parameters(name):
     return set(re.findall(r"^\s*(\w+) : ", printed, re.MULTILINE))
 
 
-@pytest.mark.parametrize(
-    ("name", "known", "not_for_arrays"),
-    [
-        (plugin.FILTERS[0], parameters.GLOBAL, {"only_selected", "fix_selected", "colorize"}),
-        (plugin.FILTERS[1], parameters.LOCAL, {"only_selected", "fix_selected", "colorize"}),
-        (plugin.FILTERS[2], parameters.MEASURE, {"reference", "colorize"}),
-    ],
-)
-def test_every_parameter_of_the_filters_is_known(name, known, not_for_arrays):
-    assert filter_parameters(name) == set(known) | not_for_arrays
+@pytest.mark.parametrize("known", filters.FILTERS, ids=lambda known: known.name)
+def test_every_parameter_of_the_filters_is_known(known):
+    assert filter_parameters(known.function) == {parameter.name for parameter in known.parameters}
+
+
+def test_every_filter_is_known():
+    assert {known.function for known in filters.FILTERS} == set(plugin.FILTERS)
 
 
 def test_every_status_has_words_of_its_own():
     assert len({status.text for status in Status}) == len(Status) == 6
+
+
+SHOE_PLY = ROOT / "meshes" / "shoe_upper.ply"
+
+
+def load_direct(path):
+    plugin.load()
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(path))
+    return meshes
+
+
+def arrays_of(path):
+    meshes = load_direct(path)  # a mesh dies with its set
+    mesh = meshes.current_mesh()
+    return np.array(mesh.vertex_matrix()), np.array(mesh.face_matrix())
+
+
+def test_files_and_objects_give_what_arrays_give(tmp_path):
+    meshio, trimesh = pytest.importorskip("meshio"), pytest.importorskip("trimesh")
+    vertices, faces = arrays_of(SHOE_PLY)
+    expected = meshlab_developable.make_developable(vertices, faces)
+    in_vtk = tmp_path / "shoe.vtk"  # pymeshlab does not read it
+    by_meshio = meshio.Mesh(vertices, [("triangle", faces)])
+    by_meshio.write(in_vtk)
+    by_trimesh = trimesh.Trimesh(vertices, faces, process=False)
+    for source in (SHOE_PLY, str(SHOE_PLY), in_vtk, by_meshio, by_trimesh):
+        result = meshlab_developable.make_developable(source)
+        assert np.array_equal(result.vertices, expected.vertices)
+        assert np.array_equal(result.quality, expected.quality)
+
+
+@pytest.mark.parametrize("applied", [filters.GLOBAL, filters.LOCAL])
+def test_the_result_is_the_filters_to_the_last_bit(applied):
+    vertices, faces = arrays_of(SHOE_PLY)
+    meshes = load_direct(SHOE_PLY)
+    values = meshes.apply_filter(applied.function)
+    result = meshlab_developable.make_developable(vertices, faces, method=applied.name)
+    assert np.array_equal(result.vertices, meshes.current_mesh().vertex_matrix())
+    assert np.array_equal(result.quality, plugin.vertex_quality(meshes.current_mesh()))
+    assert {key: getattr(result.report, key) for key in values if key != "seconds"} == {
+        key: value for key, value in values.items() if key != "seconds"
+    }
+
+
+def test_fixed_vertices_stay(shell):
+    fixed = np.zeros(len(shell[0]), dtype=bool)
+    fixed[::7] = True
+    result = meshlab_developable.make_developable(*shell, fix_selected=fixed, max_iterations=5)
+    assert np.array_equal(result.vertices[fixed], shell[0][fixed])
+    assert not np.array_equal(result.vertices, shell[0])
+
+
+def test_only_patches_with_a_selected_face_are_worked_on():
+    positions, triangles, _ = reference.read_obj(ROOT / "meshes" / "short_pants.obj")
+    chosen = np.zeros(len(triangles), dtype=bool)
+    chosen[0] = True
+    result = meshlab_developable.make_developable(
+        positions, triangles, method="local", only_selected=chosen, max_operations=2000
+    )
+    moved = np.flatnonzero((result.vertices != positions).any(axis=1))
+    component = {int(v) for v in triangles[0]}
+    while (more := component.union(*triangles[np.isin(triangles, list(component)).any(axis=1)])) != component:
+        component = more
+    assert 0 < len(moved) < len(component) < len(positions)
+    assert set(moved) <= component
+
+
+def in_two_halves(shell):
+    """Labels that part the shell in two by the faces' centres, as texts."""
+    centres = shell[0][shell[1]].mean(axis=1)
+    return np.where(centres[:, 0] < np.median(centres[:, 0]), "left", "right")
+
+
+def test_labels_part_a_mesh_into_patches(shell):
+    labels = in_two_halves(shell)
+    whole, halves = (
+        meshlab_developable.measure(*shell, **options).measures for options in ({}, {"face_labels": labels})
+    )
+    assert (whole.patches, halves.patches) == (1, 2)
+    assert halves.interior_vertices < whole.interior_vertices
+    assert halves.assembling_vertices > 0
+
+
+def test_texture_islands_part_a_mesh_into_patches(shell):
+    corners = shell[0][shell[1]][:, :, :2].copy()
+    corners[in_two_halves(shell) == "left"] += 100
+    by_corner = meshlab_developable.measure(*shell, texture_coordinates=corners).measures
+    assert by_corner.patches == 2
+    by_vertex = meshlab_developable.measure(*shell, texture_coordinates=shell[0][:, :2]).measures
+    assert by_vertex.patches == 1
+
+
+def test_maps_to_a_reference(shell):
+    moved = shell[0] + [0.25, 0, 0]
+    result = meshlab_developable.measure(moved, shell[1], map="Displacement", reference=shell)
+    assert result.quality == pytest.approx(np.full(len(moved), 0.25))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"only_selected": [True]}, ["only_selected", "961 faces"]),
+        ({"fix_selected": np.zeros(524)}, ["fix_selected", "524 vertices", "float64"]),
+        ({"face_labels": [1, 2]}, ["face_labels", "961"]),
+        ({"texture_coordinates": np.zeros((3, 2))}, ["524 x 2", "961 x 3 x 2"]),
+    ],
+)
+def test_bad_masks_and_labels_are_named(shell, arguments, words):
+    with pytest.raises(meshlab_developable.InvalidMeshError) as caught:
+        meshlab_developable.make_developable(*shell, **arguments)
+    for word in words:
+        assert word in str(caught.value)
+
+
+@pytest.mark.parametrize("source", ["no_such_mesh.ply", 7, np.eye(3)])
+def test_a_source_that_is_no_mesh_is_refused(source):
+    with pytest.raises(meshlab_developable.InvalidMeshError):
+        meshlab_developable.measure(source)

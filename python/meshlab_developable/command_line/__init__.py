@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line `developable`, a module a command.
+
+A command is a `click.Command` named `command` in its module; registering it is a line in COMMANDS. Modules
+are imported when their command runs, so that help and completion need not wait for the others.
+"""
+
+from __future__ import annotations
+
+import importlib
+
+import click
+
+COMMANDS = {  # name: module beside this one
+    "measure": "measure",
+    "global": "global_method",
+    "local": "local_method",
+    "script": "script",
+    "report": "report",
+    "completion": "completion",
+}
+
+
+class Commands(click.Group):
+    """The commands of COMMANDS, in that order."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Their names."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """A command; None when there is none of that name."""
+        if cmd_name not in COMMANDS:
+            return None
+        module = importlib.import_module(f"{__name__}.{COMMANDS[cmd_name]}")
+        command: click.Command = module.command
+        return command
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.version_option(package_name="meshlab-developable", prog_name="developable")
+def main() -> None:
+    """Make panels of triangle meshes developable, so that they can be cut from flat material.
+
+    Exit codes: 0 done; 2 bad input; 3 not converged (the result is written all the same); 4 some meshes of
+    a batch are not done.
+
+    \b
+    Examples:
+      developable measure panel.ply
+      developable global panel.ply --output flat_enough.ply
+      developable COMMAND --help
+    """

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`developable report`: the methods compared on meshes, as a page with pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from meshlab_developable.command_line.shared import MESH, errors_in_words
+from meshlab_developable.errors import DevelopableError
+
+
+@click.command(name="report")
+@click.argument("meshes", nargs=-1, required=True, type=MESH)
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    default=Path("report"),
+    show_default=True,
+    help="The folder to write to.",
+)
+@click.option("--unit", default="model units", show_default=True, help="What a mesh unit is called.")
+def command(meshes: tuple[Path, ...], out: Path, unit: str) -> None:
+    """Try each method on each mesh and write a page with numbers and pictures, OUT/report.html.
+
+    Needs the extra `render`: pip install 'meshlab-developable[render]'.
+
+    \b
+    Examples:
+      developable report panel.ply
+      developable report front.obj back.obj --out out/report --unit cm
+    """
+    with errors_in_words():
+        try:
+            import pymeshlab
+
+            from meshlab_developable.demo.__main__ import METHODS, run
+            from meshlab_developable.demo.study import Input
+        except ModuleNotFoundError as error:
+            raise DevelopableError(
+                f"{error.name} is missing; install it: pip install 'meshlab-developable[render]'"
+            ) from None
+        try:
+            run([Input(path, f"The mesh {path.name}.", unit) for path in meshes], METHODS, out)
+        except pymeshlab.PyMeshLabException as error:
+            raise DevelopableError(str(error)) from None
+    click.echo(f"Report: {out / 'report.html'} (short: {out / 'report.txt'})")

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files in, files and a report out, with all that a file holds: colours, texture coordinates, quality."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from meshlab_developable import mesh_sets
+from meshlab_developable.errors import InvalidMeshError
+from meshlab_developable.filters import MEASURE
+from meshlab_developable.methods import METHODS
+from meshlab_developable.reports import Measures, OptimizationReport
+
+
+def measure_file(
+    source: Path, target: Path | None = None, reference: Path | None = None, **parameters: Any
+) -> Measures:
+    """Measure a file's mesh; write it with the map as quality and colours when there is a target.
+
+    Parameters are those of the filter Developability Maps. Raises InvalidMeshError, InvalidParameterError,
+    FilterError and what `load` raises.
+    """
+    values = MEASURE.checked(parameters)
+    meshes = mesh_sets.open_mesh(source)
+    if reference is not None:
+        values["reference"] = mesh_sets.add_layer(meshes, reference)
+    result = mesh_sets.apply_filter(meshes, MEASURE, values)
+    if target is not None:
+        save_whole(meshes, target)
+    return Measures.from_values(result)
+
+
+def develop_file(
+    source: Path, target: Path, method: str = "global", verbose: bool = False, **parameters: Any
+) -> OptimizationReport:
+    """Make a file's mesh developable and write it, with the map as quality and colours.
+
+    method: "global" or "local"; parameters are those of its filter. When verbose, the filter prints what it
+    does. Raises as `measure_file` does; the target is written whole or not at all.
+    """
+    applied, report_type = METHODS[method]
+    values = applied.checked(parameters)
+    meshes = mesh_sets.open_mesh(source, verbose=verbose)
+    result = mesh_sets.apply_filter(meshes, applied, values)
+    meshes.set_verbosity(False)
+    save_whole(meshes, target)
+    return report_type.from_values(result)
+
+
+def save_whole(meshes: Any, target: Path) -> None:
+    """Write the current layer so that the target is at no moment half written."""
+    with written_whole(target) as path:
+        mesh_sets.save(meshes, path)
+
+
+@contextmanager
+def written_whole(target: Path) -> Iterator[Path]:
+    """A path to write to, of the target's suffix; it becomes the target when the block ends well."""
+    if not target.parent.is_dir():
+        raise InvalidMeshError(f"there is no folder {target.parent} to write {target.name} to")
+    with tempfile.TemporaryDirectory(dir=target.parent, prefix=f".{target.name}.") as folder:
+        path = Path(folder) / target.name
+        yield path
+        os.replace(path, target)
