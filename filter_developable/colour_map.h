@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // colour_map.h: the colours that a map of values is shown in.
+//
+// Both ramps go through OKLab (B. Ottosson, "A perceptual color space for image processing", 2020) at
+// constant speed, so that equal steps in value look equal, and lightness tells values apart without hue. They
+// are light at 0, so that the shape stays visible. python/meshlab_developable/colours.py has the same ramps.
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vcg/space/color4.h>
 #include <vector>
 
@@ -10,15 +15,24 @@ namespace developable::plugin {
 
 /// The values that the first and the last colour stand for.
 struct ColourRange {
-	double low = 0;
+	double low = 0; ///< 0, or where the map is signed -high
 	double high = 0;
+
+	bool isSigned() const { return low < 0; }
 };
 
-/// The range that shows all values: from 0 for one-sided maps, symmetric about 0 for signed ones. Where all
-/// values are 0 it reaches to 1.
-ColourRange colourRange(const Eigen::VectorXd& values, bool isSigned);
+/// The range that shows 98 % of the values in full; the few beyond take the last colour. From 0 for one-sided
+/// maps, symmetric about 0 for signed ones.
+/// \param noise  absolute values up to this are as good as 0: they do not count, and the range reaches at
+/// least
+///               so far; positive
+ColourRange colourRange(const Eigen::VectorXd& values, bool isSigned, double noise);
 
-/// One colour per value: blue for the least, green in the middle, red for the largest.
+/// One colour per value: one-sided maps go from light yellow by red to dark violet along a helix, signed ones
+/// from blue by light grey to red along straight lines.
 std::vector<vcg::Color4b> mapColours(const Eigen::VectorXd& values, const ColourRange& range);
+
+/// What the log says of the colours: the range with its unit, and how many values lie beyond it.
+std::string describe(const ColourRange& range, const std::string& unit, const Eigen::VectorXd& values);
 
 } // namespace developable::plugin

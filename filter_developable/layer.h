@@ -13,6 +13,9 @@ public:
 	CMeshO& mesh() { return model_.cm; }
 	const CMeshO& mesh() const { return model_.cm; }
 
+	/// Of the bounding box.
+	double diagonal() const { return double(model_.cm.bbox.Diag()); }
+
 	/// To be called once after positions were written.
 	void positionsChanged() { host::updateBoxAndNormals(model_); }
 

@@ -11,7 +11,23 @@
 #include "developable/principal_curvatures.h"
 #include "developable/surface_distance.h"
 
+#include <cmath>
+
 namespace developable::plugin {
+
+namespace {
+
+/// What of a map comes from rounding and from where an optimisation stopped, not from the shape. Without it
+/// the colours of a developable shape would show nothing else.
+///
+/// \param diagonal  of the layer's box
+double noiseOf(const MapProperties& properties, double diagonal) {
+	constexpr double share = 1e-5;
+	const double noise = share * std::pow(diagonal > 0 ? diagonal : 1, properties.lengthPower);
+	return properties.isSquare ? share * noise : noise;
+}
+
+} // namespace
 
 Map chosenMap(const ParameterValues& values) {
 	return values.choice<Map>("map");
@@ -51,10 +67,11 @@ void showMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eig
 			 formatted(values.minCoeff()) + " to " + formatted(values.maxCoeff()));
 	if (!call.values.boolean("colorize"))
 		return;
-	const ColourRange range = colourRange(values, properties.isSigned);
+	const ColourRange range =
+		colourRange(values, properties.isSigned, noiseOf(properties, call.layer.diagonal()));
 	call.layer.enableVertexColours();
 	writeColours(call.layer.mesh(), assembly, mapColours(values, range));
-	call.log("vertex colours: blue at " + formatted(range.low) + ", red at " + formatted(range.high));
+	call.log("vertex colours: " + describe(range, properties.unit, values));
 }
 
 } // namespace developable::plugin

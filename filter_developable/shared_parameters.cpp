@@ -108,10 +108,11 @@ Parameter mapParameter(std::vector<std::string> more) {
 }
 
 Parameter colorizeParameter() {
-	Parameter parameter =
-		boolParameter("colorize", true, "Colour the vertices",
-					  "Colour the vertices by the map, from blue over green to red, so that it "
-					  "shows at once; this replaces the vertex colours.");
+	Parameter parameter = boolParameter(
+		"colorize", true, "Colour the vertices",
+		"Colour the vertices by the map, so that it shows at once: from light yellow at 0 to dark "
+		"violet, or where values have a sign from blue by light grey at 0 to red. The log says the "
+		"range. This replaces the vertex colours.");
 	parameter.offWhenColoured = true;
 	return parameter;
 }

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of maps on shapes, off screen, with a scale. Needs the extra `render`.
 
-Shapes are drawn by VTK (through pyvista), titles and scale by matplotlib. Colour maps are perceptually
-uniform and safe for the colour-blind, and light where the value is 0, so that the shape stays visible:
-magma reversed for maps that start at 0, a diverging one for signed maps.
+Shapes are drawn by VTK (through pyvista), titles and scale by matplotlib, in the colours that the plugin
+paints maps in.
 """
 
 from __future__ import annotations
@@ -17,6 +16,8 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+
+from meshlab_developable.colours import colour_map, colour_range
 
 Array = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.integer[Any]]
@@ -53,14 +54,13 @@ class View:
     up: tuple[float, float, float] = (0.0, 0.0, 1.0)
 
 
-def robust_scale(label: str, values: Iterable[Array], signed: bool, share: float = 0.98) -> ColourScale:
-    """The scale that shows a share of the absolute values in full; the few beyond it take the last colour.
+def robust_scale(label: str, values: Iterable[Array], signed: bool) -> ColourScale:
+    """The scale that shows 98 % of the values in full; the few beyond it take the last colour.
 
     Give the values of every picture that is to be compared. Values that are all 0 get a scale up to 1.
     """
-    magnitudes = np.abs(np.concatenate([np.ravel(v) for v in values]))
-    magnitudes = magnitudes[magnitudes > 0]
-    high = float(np.quantile(magnitudes, share)) if magnitudes.size else 1.0
+    together = np.concatenate([np.ravel(v) for v in values])
+    high = colour_range(together) if together.any() else 1.0
     return ColourScale(label, -high if signed else 0.0, high, signed)
 
 
@@ -71,7 +71,7 @@ def render(path: Path, pictures: Sequence[Picture], scale: ColourScale, view: Vi
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 
-    colours = _colour_map(scale)
+    colours = colour_map(scale.signed)
     images = [_draw(picture, pictures, scale, colours, view or View()) for picture in pictures]
     width, height = PICTURE_SIZE
     total, dots = height + HEADING + FOOTING, 100
@@ -94,16 +94,6 @@ def render(path: Path, pictures: Sequence[Picture], scale: ColourScale, view: Vi
     colour_bar.set_label(scale.label, fontsize=16)
     bar.tick_params(labelsize=15)
     figure.savefig(path)
-
-
-def _colour_map(scale: ColourScale) -> Any:
-    from matplotlib import colormaps
-    from matplotlib.colors import ListedColormap
-
-    if scale.signed:
-        return colormaps["coolwarm"]
-    # Without magma's last, almost black tenth: shading must show on the darkest colour too.
-    return ListedColormap(colormaps["magma_r"](np.linspace(0.0, 0.9, 256)), "magma_r to 0.9")
 
 
 def _draw(

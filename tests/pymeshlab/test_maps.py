@@ -5,10 +5,14 @@ import measures
 import numpy as np
 import pytest
 from mesh_sets import GLOBAL, MAPS, attribute_of, has_attribute, mesh_set, optimized, positions_of, quality_of
+from meshlab_developable.colours import colour_range, map_colours
 from reference_measures import angle_defects
 from shapes import bump, cylinder, octahedron, two_bumps
 
-RED, GREEN, BLUE = (1, 0, 0, 1), (0, 1, 0, 1), (0, 0, 1, 1)
+
+def bytes_of_colours(meshes):
+    """Red, green and blue of every vertex."""
+    return np.rint(meshes.current_mesh().vertex_color_matrix()[:, :3] * 255).astype(int)
 
 
 def mapped(*meshes, **values):
@@ -76,35 +80,52 @@ def test_elastic_energy_waits_until_it_is_chosen():
     assert not has_attribute(meshes, "elastic_energy")
 
 
-def test_signed_maps_are_coloured_symmetrically_about_zero():
-    positions, triangles = bump()
-    meshes, _ = mapped((positions, triangles), map="Angle defect")
-    defects = angle_defects(positions, triangles)
-    colours = meshes.current_mesh().vertex_color_matrix()
-    assert tuple(colours[defects.argmax()]) == RED
-    assert defects.max() > -defects.min() > 0
-    assert np.all(colours[defects == 0] == GREEN)
-    # The least value is nearer to 0 than the largest, so it does not reach the last colour.
-    assert tuple(colours[defects.argmin()]) != BLUE
-
-
-def test_one_sided_maps_are_coloured_from_zero():
-    positions, triangles = bump()
-    meshes, _ = mapped((positions, triangles), map="Gaussian map")
-    squares = angle_defects(positions, triangles) ** 2
-    colours = meshes.current_mesh().vertex_color_matrix()
-    assert tuple(colours[squares.argmax()]) == RED
-    assert np.all(colours[squares == 0] == BLUE)
+@pytest.mark.parametrize(
+    ("title", "signed"), [("Gaussian map", False), ("Angle defect", True), ("Gaussian curvature", True)]
+)
+def test_colours_are_those_that_the_package_draws_with(title, signed):
+    meshes, _ = mapped(bump(), map=title)
+    values = quality_of(meshes)
+    high = colour_range(values)
+    assert np.count_nonzero(np.abs(values) > high) > 0
+    assert np.abs(bytes_of_colours(meshes) - map_colours(values / high, signed)).max() <= 1
 
 
 def test_a_map_of_zeros_is_coloured_as_zero():
-    for title, colour in (("Gaussian map", BLUE), ("Angle defect", GREEN)):
+    for title, signed in (("Gaussian map", False), ("Angle defect", True)):
         flat, triangles = bump()
         meshes, returned = mapped((flat * (1, 1, 0), triangles), map=title)
-        assert returned["detect_function"] < 1e-24
-        colours = meshes.current_mesh().vertex_color_matrix()
-        boundary = np.flatnonzero((flat[:, 0] == 0) | (flat[:, 1] == 0))
-        assert np.all(colours[boundary] == colour)
+        assert 0 < returned["detect_function"] < 1e-24
+        assert np.abs(bytes_of_colours(meshes) - map_colours([0], signed)).max() <= 1
+
+
+def test_a_developable_shape_shows_no_noise():
+    meshes = mesh_set(bump())
+    assert meshes.apply_filter(GLOBAL)["converged"]
+    for title, signed in (("Gaussian map", False), ("Angle defect", True)):
+        meshes.apply_filter(MAPS, map=title)
+        assert quality_of(meshes).any()
+        colours, zero = bytes_of_colours(meshes), map_colours([0], signed).astype(int)
+        assert np.abs(colours - zero).max() < np.abs(map_colours([0.3], signed) - zero).max()
+
+
+def test_colours_are_the_same_at_any_size():
+    positions, triangles = bump()
+    for title in ("Angle defect", "Gaussian curvature", "Maximum curvature", "Elastic energy"):
+        colours = [
+            bytes_of_colours(mapped((size * positions, triangles), map=title)[0]) for size in (1e-3, 1, 1e3)
+        ]
+        assert np.abs(np.diff(colours, axis=0)).max() <= 1
+        assert np.ptp(colours[0], axis=0).max() > 100
+
+
+def test_the_hosts_own_quality_mapper_takes_the_written_quality():
+    meshes, _ = mapped(bump(), map="Angle defect", colorize=False)
+    values = quality_of(meshes)
+    meshes.apply_filter("compute_color_from_scalar_per_vertex")
+    colours = bytes_of_colours(meshes)
+    assert not np.array_equal(colours[values.argmin()], colours[values.argmax()])
+    assert len(np.unique(colours, axis=0)) > 10
 
 
 def test_colours_stay_when_colorize_is_off():

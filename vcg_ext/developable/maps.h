@@ -25,20 +25,22 @@ struct MapProperties {
 	const char* title;
 	const char* attribute; ///< name of the custom attribute that carries it
 	const char* unit;
+	int lengthPower; ///< of the unit: how values grow with the shape
 	bool isSigned;
+	bool isSquare; ///< of something that rounding makes an error in
 };
 
 /// Of all maps, in the order of Map.
 inline constexpr MapProperties mapProperties[] = {
-	{Map::GaussianMap, "Gaussian map", "gaussian_map", "rad²", false},
-	{Map::AngleDefect, "Angle defect", "angle_defect", "rad", true},
-	{Map::GaussianCurvature, "Gaussian curvature", "gaussian_curvature", "1/length²", true},
-	{Map::MinimumCurvature, "Minimum curvature", "kappa_min", "1/length", false},
-	{Map::MaximumCurvature, "Maximum curvature", "kappa_max", "1/length", false},
-	{Map::Distance, "Distance", "distance", "length", false},
-	{Map::Displacement, "Displacement", "displacement", "length", false},
-	{Map::ElasticEnergy, "Elastic energy", "elastic_energy", "length²", false},
-	{Map::EdgeStrain, "Edge strain", "edge_strain", "1", false},
+	{Map::GaussianMap, "Gaussian map", "gaussian_map", "rad²", 0, false, true},
+	{Map::AngleDefect, "Angle defect", "angle_defect", "rad", 0, true, false},
+	{Map::GaussianCurvature, "Gaussian curvature", "gaussian_curvature", "1/length²", -2, true, false},
+	{Map::MinimumCurvature, "Minimum curvature", "kappa_min", "1/length", -1, false, false},
+	{Map::MaximumCurvature, "Maximum curvature", "kappa_max", "1/length", -1, false, false},
+	{Map::Distance, "Distance", "distance", "length", 1, false, false},
+	{Map::Displacement, "Displacement", "displacement", "length", 1, false, false},
+	{Map::ElasticEnergy, "Elastic energy", "elastic_energy", "length²", 2, false, true},
+	{Map::EdgeStrain, "Edge strain", "edge_strain", "1", 0, false, false},
 };
 
 inline const MapProperties& propertiesOf(Map map) {
