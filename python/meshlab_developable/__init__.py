@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes panels of a triangle mesh developable, moving the surface little (Wang and Tang 2004).
 
-`load()` brings the filters into this process's pymeshlab; `measure` and `make_developable` take and return
-NumPy arrays.
+`load()` brings the filters into this process's pymeshlab; `measure`, `make_developable` and `flatten` take
+and return NumPy arrays; `meshlab_developable.patterns` writes flat panels as patterns to cut and sew.
 """
 
 from meshlab_developable.errors import (
@@ -10,11 +10,14 @@ from meshlab_developable.errors import (
     FilterError,
     InvalidMeshError,
     InvalidParameterError,
+    PatternError,
     PluginNotFoundError,
 )
+from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.methods import Developed, Measured, make_developable, measure
 from meshlab_developable.plugin import load
-from meshlab_developable.reports import LocalReport, Measures, OptimizationReport, Status
+from meshlab_developable.reports import LocalReport, Measures, OptimizationReport, PatternReport, Status
+from meshlab_developable.sewing import Seam
 
 __version__ = "0.1.0"
 
@@ -22,14 +25,19 @@ __all__ = [
     "DevelopableError",
     "Developed",
     "FilterError",
+    "FlatteningResult",
     "InvalidMeshError",
     "InvalidParameterError",
     "LocalReport",
     "Measured",
     "Measures",
     "OptimizationReport",
+    "PatternError",
+    "PatternReport",
     "PluginNotFoundError",
+    "Seam",
     "Status",
+    "flatten",
     "load",
     "make_developable",
     "measure",

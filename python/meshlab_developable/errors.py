@@ -20,3 +20,7 @@ class InvalidMeshError(DevelopableError, ValueError):
 
 class FilterError(DevelopableError, RuntimeError):
     """The filter refused the mesh or the parameters; the text is its own."""
+
+
+class PatternError(DevelopableError, ValueError):
+    """Pieces that can't be made into a pattern, or don't fit where they are to go."""

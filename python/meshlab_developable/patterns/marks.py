@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is drawn on a piece besides its lines: notches and letters along seams, its name, its grain line."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import shapely
+
+from meshlab_developable.flattening import FlatteningResult
+from meshlab_developable.mesh_sets import Array
+from meshlab_developable.patterns.drawing import Drawing, Layer, Notch, Path, Text
+from meshlab_developable.patterns.pieces import Piece, Pieces
+from meshlab_developable.sewing import Seam
+
+LETTER_HEIGHT, NAME_HEIGHT = 5.0, 8.0  # mm, on pieces that are large enough
+NOTCH_DEPTH = 4.0  # mm, unless the allowance is narrower
+LAST_GAP = 0.6  # from the last notch to the seam's end, of the distance between notches
+
+
+@dataclasses.dataclass(frozen=True)
+class MarkedSeam:
+    """A seam with its letter, and where along it notches are."""
+
+    letter: str
+    seam: Seam
+    lengths: tuple[float, float]  # of both sides, mm
+    notches: tuple[tuple[int, float], ...]  # number of the edge along the seam, and share of that edge
+
+
+def mark_seams(flat: FlatteningResult, pieces: Pieces, notch_spacing: float) -> tuple[MarkedSeam, ...]:
+    """Letters for seams, and notches where the same point of the model is on both sides.
+
+    Notches are as far apart as the spacing (mm) or a little less, and nearer to one end of the seam, so that
+    it fits only one way round. Where the sides differ in length, their mean counts.
+    """
+    marked = []
+    for index, seam in enumerate(flat.seams):
+        steps = [np.linalg.norm(np.diff(pieces.positions[side], axis=0), axis=1) for side in seam.sides]
+        lengths = float(steps[0].sum()), float(steps[1].sum())
+        mean = (steps[0] + steps[1]) / 2
+        marked.append(MarkedSeam(letters(index), seam, lengths, tuple(_notches(mean, notch_spacing, seam))))
+    return tuple(marked)
+
+
+def letters(number: int) -> str:
+    """A, B, ..., Z, AA, AB, ... for 0, 1, ..."""
+    text = ""
+    number += 1
+    while number:
+        number, digit = divmod(number - 1, 26)
+        text = chr(ord("A") + digit) + text
+    return text
+
+
+def _notches(steps: Array, spacing: float, seam: Seam) -> Iterator[tuple[int, float]]:
+    ends = np.cumsum(steps)
+    total = float(ends[-1])
+    if spacing == 0 or total < spacing / 5:
+        return
+    count = max(1, math.ceil(total / spacing - LAST_GAP))
+    for distance in np.arange(0 if seam.closed else 1, count + 1) * total / (count + LAST_GAP):
+        edge = min(int(np.searchsorted(ends, distance, side="right")), len(steps) - 1)
+        yield edge, float((distance - (ends[edge] - steps[edge])) / steps[edge])
+
+
+def draw_piece(number: int, pieces: Pieces, seams: Sequence[MarkedSeam], seam_allowance: float) -> Drawing:
+    """A piece with all its lines and marks, in its own frame."""
+    piece = pieces.pieces[number]
+    paths = [_ring(Layer.BOUNDARY, piece.cut.exterior)]
+    paths += [_ring(Layer.CUTOUT, ring) for ring in piece.cut.interiors]
+    paths += [_ring(Layer.SEW, ring) for ring in (piece.sewn.exterior, *piece.sewn.interiors)]
+    room = shapely.maximum_inscribed_circle(piece.sewn, tolerance=_size(piece) / 200)
+    centre, radius = np.array(room.coords[0]), room.length
+    paths.append(_grain_line(piece, centre, radius))
+    texts = [_name(piece, centre, radius)]
+    notches: list[Notch] = []
+    shapely.prepare(piece.sewn)
+    height = min(LETTER_HEIGHT, 0.3 * radius)
+    for marked in seams:
+        for side in (0, 1):
+            if marked.seam.pieces[side] != number:
+                continue
+            along = pieces.positions[marked.seam.sides[side]]
+            texts.append(_letter(marked, piece, along, side, height))
+            depth = min(NOTCH_DEPTH, 0.2 * radius, seam_allowance or np.inf)
+            notches += [_notch(piece, along, edge, share, depth) for edge, share in marked.notches]
+    return Drawing(piece.name, paths, notches, texts)
+
+
+def _ring(layer: Layer, ring: shapely.LinearRing) -> Path:
+    return Path(layer, np.array(ring.coords)[:-1])
+
+
+def _size(piece: Piece) -> float:
+    left, low, right, high = piece.sewn.bounds
+    return float(max(right - left, high - low))
+
+
+def _name(piece: Piece, centre: Array, radius: float) -> Text:
+    height = min(NAME_HEIGHT, 1.8 * radius / max(len(piece.name), 3))
+    return Text(piece.name, centre, height)
+
+
+def _grain_line(piece: Piece, centre: Array, radius: float) -> Path:
+    """An upright line through the widest part, beside the name, with an arrowhead at its top."""
+    x = centre[0] - 0.75 * radius
+    low, high = centre[1] - 0.6 * radius, centre[1] + 0.6 * radius
+    head = min(4.0, 0.2 * radius)
+    points = [
+        (x, low),
+        (x, high),
+        (x - head / 3, high - head),
+        (x, high),
+        (x + head / 3, high - head),
+    ]
+    return Path(Layer.GRAIN, np.array(points), closed=False)
+
+
+def _outward(piece: Piece, along: Array, edge: int) -> Array:
+    """The unit normal of an edge of the sew line that points out of the piece."""
+    x, y = along[edge + 1] - along[edge]
+    normal: Array = np.array((y, -x)) / np.hypot(x, y)
+    middle = (along[edge] + along[edge + 1]) / 2
+    inside = shapely.contains_xy(piece.sewn, *(middle + 1e-6 * np.hypot(x, y) * normal))
+    return -normal if inside else normal
+
+
+def _letter(marked: MarkedSeam, piece: Piece, along: Array, side: int, height: float) -> Text:
+    steps = np.linalg.norm(np.diff(along, axis=0), axis=1)
+    edge = int(np.searchsorted(np.cumsum(steps), steps.sum() / 2))
+    middle = (along[edge] + along[edge + 1]) / 2
+    return Text(marked.letter, middle - 1.1 * height * _outward(piece, along, edge), height)
+
+
+def _notch(piece: Piece, along: Array, edge: int, share: float, depth: float) -> Notch:
+    on_seam = (1 - share) * along[edge] + share * along[edge + 1]
+    outward = _outward(piece, along, edge)
+    on_boundary = on_seam
+    if piece.cut is not piece.sewn and not piece.cut.equals(piece.sewn):
+        reach = shapely.LineString([on_seam, on_seam + outward * 2 * _size(piece)])
+        crossing = reach.intersection(piece.cut.boundary)
+        if not crossing.is_empty:
+            on_boundary = np.array(shapely.shortest_line(shapely.Point(on_seam), crossing).coords[-1])
+    return Notch(on_boundary, on_seam, on_boundary - outward * depth)

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be asked of patterns, checked. Lengths are in millimetres, whatever the mesh's unit."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+
+from meshlab_developable.errors import InvalidParameterError
+
+Size = tuple[float, float]  # width and height, mm
+
+UNITS = {"mm": 1.0, "cm": 10.0, "dm": 100.0, "m": 1000.0, "in": 25.4, "ft": 304.8}  # mm
+PAPERS: dict[str, Size] = {
+    "A0": (841, 1189),
+    "A1": (594, 841),
+    "A2": (420, 594),
+    "A3": (297, 420),
+    "A4": (210, 297),
+    "Letter": (215.9, 279.4),
+    "Tabloid": (279.4, 431.8),
+}
+FORMATS = ("svg", "pdf", "dxf")
+TURNS = ("none", "half", "free")
+
+
+@dataclasses.dataclass(frozen=True)
+class PatternOptions:
+    """How pieces are marked, laid out and written.
+
+    Raises InvalidParameterError for a value that makes no sense, saying what would do.
+    """
+
+    unit: str | float = "mm"  # of the mesh: a name of UNITS, or how many millimetres it is
+    seam_allowance: float = 10.0  # width of the margin outside the sew line, mm
+    notch_spacing: float = 100.0  # along seams, mm, at most; 0: no notches
+    grain: tuple[float, float, float] | None = None  # runs upright; None: the longest seam does
+    sheet: str | Size | None = None  # what the pieces are cut from; None: one sheet, as large as needed
+    gap: float = 5.0  # between the pieces, mm
+    turns: str = "half"  # how pieces may be turned on a sheet: "none", "half" or "free"
+    page: str | None = "A4"  # for the PDF in tiles, a name of PAPERS; None: no such file
+    formats: Sequence[str] = FORMATS
+    piece_names: Sequence[str] | None = None
+
+    def __post_init__(self) -> None:
+        _require(self.millimetres > 0, "unit", self.unit, f"one of {_names(UNITS)}, or millimetres above 0")
+        for name in ("seam_allowance", "notch_spacing", "gap"):
+            value = getattr(self, name)
+            _require(_finite(value) and value >= 0, name, value, "a finite length in mm, 0 or more")
+        _require(
+            self.grain is None
+            or (len(self.grain) == 3 and all(map(_finite, self.grain)) and any(self.grain)),
+            "grain",
+            self.grain,
+            "a direction on the model: three numbers, not all 0",
+        )
+        size = self.sheet_size
+        _require(
+            size is None or (all(map(_finite, size)) and min(size) > 0),
+            "sheet",
+            self.sheet,
+            f"width and height in mm, both above 0, or one of {_names(PAPERS)}",
+        )
+        _require(self.turns in TURNS, "turns", self.turns, f"one of {_names(TURNS)}")
+        _require(self.page is None or self.page in PAPERS, "page", self.page, f"one of {_names(PAPERS)}")
+        unknown = [format_ for format_ in self.formats if format_ not in FORMATS]
+        _require(not unknown, "formats", list(self.formats), f"of {_names(FORMATS)}")
+
+    @property
+    def millimetres(self) -> float:
+        """How long the mesh's unit is; not a number when it can't be told."""
+        value = UNITS.get(self.unit, math.nan) if isinstance(self.unit, str) else self.unit
+        return float(value) if _finite(value) else math.nan
+
+    @property
+    def sheet_size(self) -> Size | None:
+        """The sheet in mm; not numbers when it can't be told."""
+        if isinstance(self.sheet, str):
+            return PAPERS.get(self.sheet, (math.nan, math.nan))
+        if self.sheet is None or len(self.sheet) == 2:
+            return self.sheet
+        return (math.nan, math.nan)
+
+
+def _finite(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def _require(good: bool, name: str, value: object, wanted: str) -> None:
+    if not good:
+        raise InvalidParameterError(f"{name} is {value!r}, but must be {wanted}")
+
+
+def _names(known: Sequence[str] | dict[str, float] | dict[str, Size]) -> str:
+    return ", ".join(map(repr, known))

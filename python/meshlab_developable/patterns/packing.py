@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pieces laid out on sheets by spyrrow: outlines nested into each other, which boxes can't be."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+import shapely
+import spyrrow
+
+from meshlab_developable.errors import PatternError
+from meshlab_developable.patterns.drawing import Motion
+from meshlab_developable.patterns.options import Size
+
+SECONDS = 1  # that the search for a better layout takes, and as much again for every ten pieces
+_TURNS: dict[str, list[float] | None] = {"none": [0.0], "half": [0.0, 180.0], "free": None}
+_ROOM = 1e-3  # mm; spyrrow reckons in single precision
+
+
+@dataclasses.dataclass(frozen=True)
+class Sheet:
+    """A sheet and where the pieces on it go."""
+
+    size: Size
+    motions: Mapping[str, Motion]  # by the pieces' names
+
+
+def pack(shapes: Mapping[str, shapely.Polygon], size: Size | None, gap: float, turns: str) -> list[Sheet]:
+    """Sheets with all the shapes on them, at least a gap (mm) apart and half a gap from the edges.
+
+    size: of the sheets, mm; None: one sheet, as large as needed. turns: "none", "half" (a half turn keeps the
+    grain) or "free". Raises PatternError, naming the shapes, when some are larger than a sheet.
+    """
+    if not shapes:
+        return []
+    padded = {name: _padded(shape, gap) for name, shape in shapes.items()}
+    if size is None:
+        return [_only_sheet(padded, turns)]
+    _require_room(shapes, padded, size, turns)
+    sheets = []
+    while padded:
+        _, motions = _strip(padded, size[1], turns)
+        here = {
+            name: motion
+            for name, motion in motions.items()
+            if shapely.transform(padded[name], motion).bounds[2] <= size[0] + _ROOM
+        }
+        sheets.append(Sheet(size, here))
+        padded = {name: shape for name, shape in padded.items() if name not in here}
+    return sheets
+
+
+def _padded(shape: shapely.Polygon, gap: float) -> shapely.Polygon:
+    """A simpler outline round the shape, half a gap away."""
+    slack = max(gap / 20, 0.02)
+    return shape.buffer(gap / 2 + slack, join_style="mitre", mitre_limit=2).simplify(slack / 2)
+
+
+def _only_sheet(padded: Mapping[str, shapely.Polygon], turns: str) -> Sheet:
+    boxes = np.array([shape.bounds for shape in padded.values()])
+    area = sum(shape.area for shape in padded.values())
+    height = max(1.01 * _tallest(padded.values(), turns), math.sqrt(1.2 * area))
+    _, motions = _strip(padded, height, turns)
+    boxes = np.array([shapely.transform(padded[name], motion).bounds for name, motion in motions.items()])
+    (left, low), (right, high) = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
+    shifted = {
+        name: Motion(motion.angle, (motion.shift[0] - left, motion.shift[1] - low))
+        for name, motion in motions.items()
+    }
+    return Sheet((float(right - left), float(high - low)), shifted)
+
+
+def _tallest(shapes: Iterable[shapely.Polygon], turns: str) -> float:
+    heights = []
+    for shape in shapes:
+        left, low, right, high = shape.bounds
+        heights.append(math.hypot(right - left, high - low) if turns == "free" else high - low)
+    return float(max(heights))
+
+
+def _require_room(
+    shapes: Mapping[str, shapely.Polygon],
+    padded: Mapping[str, shapely.Polygon],
+    size: Size,
+    turns: str,
+) -> None:
+    too_large = [name for name, shape in padded.items() if not _fits(shape, size, turns)]
+    if not too_large:
+        return
+    left, low, right, high = shapes[too_large[0]].bounds
+    verb, more = ("is", "") if len(too_large) == 1 else ("are", f" and {len(too_large) - 1} more")
+    raise PatternError(
+        f"{too_large[0]}{more} {verb} larger than a sheet of {size[0]:g} x {size[1]:g} mm: "
+        f"{'it' if not more else 'the first'} needs {right - left:.0f} x {high - low:.0f} mm and half the "
+        "gap round it. Choose a larger sheet, a smaller allowance, or cut the panel in two."
+    )
+
+
+def _fits(shape: shapely.Polygon, size: Size, turns: str) -> bool:
+    for angle in range(0, 180, 5) if turns == "free" else [0]:
+        left, low, right, high = shapely.transform(shape, Motion(angle)).bounds
+        if right - left <= size[0] and high - low <= size[1]:
+            return True
+    return False
+
+
+def _strip(
+    padded: Mapping[str, shapely.Polygon], height: float, turns: str
+) -> tuple[float, dict[str, Motion]]:
+    """How long a strip of that height must be, and where the shapes go."""
+    if len(padded) == 1 and turns != "free":
+        name, shape = next(iter(padded.items()))
+        left, low, right, _ = shape.bounds
+        return right - left, {name: Motion(0.0, (-left, -low))}
+    items = [
+        spyrrow.Item(name, shape.exterior.coords[:-1], 1, _TURNS[turns]) for name, shape in padded.items()
+    ]
+    settings = spyrrow.StripPackingConfig(
+        early_termination=True, total_computation_time=SECONDS * (1 + len(items) // 10), num_workers=1, seed=1
+    )
+    found = spyrrow.StripPackingInstance("pattern", height + _ROOM, items).solve(settings)
+    placed = {item.id: Motion(item.rotation % 360, item.translation) for item in found.placed_items}
+    return found.width, {name: placed[name] for name in padded}

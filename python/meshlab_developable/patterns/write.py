@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a mesh to files that a shop can cut and sew by."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy.typing as npt
+import shapely
+
+from meshlab_developable.errors import InvalidParameterError
+from meshlab_developable.flattening import FlatteningResult, flatten
+from meshlab_developable.mesh_sets import Source
+from meshlab_developable.patterns.drawing import Drawing, Motion, print_check
+from meshlab_developable.patterns.dxf import write_dxf
+from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
+from meshlab_developable.patterns.options import PatternOptions
+from meshlab_developable.patterns.packing import Sheet, pack
+from meshlab_developable.patterns.pdf import SheetDrawing, write_pdf, write_tiled_pdf
+from meshlab_developable.patterns.pieces import Pieces, make_pieces
+from meshlab_developable.patterns.side_file import write_side_file
+from meshlab_developable.patterns.svg import write_svg
+
+OPTIONS = tuple(field.name for field in dataclasses.fields(PatternOptions))
+
+
+@dataclasses.dataclass(frozen=True)
+class PatternFiles:
+    """What `make_patterns` made."""
+
+    files: tuple[Path, ...]
+    piece_names: tuple[str, ...]
+    sheets: tuple[tuple[float, float], ...]  # width and height, mm
+    seams: tuple[MarkedSeam, ...]
+    notes: tuple[str, ...]  # what a user should know
+    flattening: FlatteningResult
+
+
+def make_patterns(
+    vertices: Source,
+    faces: npt.ArrayLike | None = None,
+    *,
+    folder: str | os.PathLike[str],
+    name: str = "pattern",
+    **parameters: Any,
+) -> PatternFiles:
+    """Lay a mesh flat and write its pieces, at true size, to a folder.
+
+    Vertices, faces and parameters are those of `flatten` and of `PatternOptions`: `unit` (of the mesh: "mm",
+    "cm", "dm", "m", "in", "ft", or how many millimetres it is), `seam_allowance`, `notch_spacing` and `gap`
+    (mm), `grain` (a direction on the model that runs upright), `sheet` (mm x mm, or a paper's name), `turns`
+    ("none", "half", "free"), `page` (of the PDF in tiles), `formats` and `piece_names`.
+
+    Writes name.svg (one file a sheet), name.pdf (one page a sheet), name-A4.pdf (tiles for an office
+    printer), name.dxf (ASTM D6673) and name.json (what is sewn to what). All of them or, when
+    something is wrong, none.
+
+    Raises PatternError, InvalidParameterError, and what `flatten` raises.
+    """
+    options = PatternOptions(**{key: parameters.pop(key) for key in OPTIONS if key in parameters})
+    return write_patterns(flatten(vertices, faces, **parameters), Path(folder), name, options)
+
+
+def write_patterns(
+    flat: FlatteningResult, folder: Path, name: str = "pattern", options: PatternOptions | None = None
+) -> PatternFiles:
+    """Write pieces that are flat already; see `make_patterns`."""
+    options = options or PatternOptions()
+    if not name or name != Path(name).name:
+        raise InvalidParameterError(f"name is {name!r}, but must be that of a file, without folders")
+    pieces = make_pieces(flat, options)
+    seams = mark_seams(flat, pieces, options.notch_spacing)
+    drawings = [
+        draw_piece(number, pieces, seams, options.seam_allowance) for number in range(len(pieces.pieces))
+    ]
+    sheets = _laid_out(pieces, options)
+    files = _write_all(folder, name, options, pieces, seams, drawings, sheets)
+    return PatternFiles(
+        files=files,
+        piece_names=tuple(piece.name for piece in pieces.pieces),
+        sheets=tuple(sheet.size for sheet in sheets),
+        seams=seams,
+        notes=pieces.notes,
+        flattening=flat,
+    )
+
+
+def _laid_out(pieces: Pieces, options: PatternOptions) -> list[Sheet]:
+    """Sheets with the pieces and, where it fits, the square to check the print."""
+    shapes = {piece.name: shapely.Polygon(piece.cut.exterior) for piece in pieces.pieces}
+    square = print_check()
+    if options.sheet_size is None or min(options.sheet_size) > 101 + 1.2 * options.gap:
+        shapes[square.name] = shapely.Polygon(square.paths[0].points)
+    return pack(shapes, options.sheet_size, options.gap, options.turns)
+
+
+def _sheet_drawings(name: str, drawings: Sequence[Drawing], sheets: Sequence[Sheet]) -> list[SheetDrawing]:
+    drawn = []
+    for number, sheet in enumerate(sheets):
+        here = [
+            drawing.moved(sheet.motions[drawing.name])
+            for drawing in (*drawings, print_check())
+            if drawing.name in sheet.motions
+        ]
+        title = name if len(sheets) == 1 else f"{name}, sheet {number + 1} of {len(sheets)}"
+        drawn.append(SheetDrawing(title, sheet.size, here))
+    return drawn
+
+
+def _in_a_row(drawings: Sequence[Drawing], sheets: Sequence[Sheet]) -> list[Motion]:
+    """Where the drawings go when the sheets lie side by side."""
+    motions, left = {}, 0.0
+    for sheet in sheets:
+        for name, motion in sheet.motions.items():
+            motions[name] = Motion(motion.angle, (motion.shift[0] + left, motion.shift[1]))
+        left += 1.1 * sheet.size[0]
+    return [motions[drawing.name] for drawing in drawings]
+
+
+def _write_all(
+    folder: Path,
+    name: str,
+    options: PatternOptions,
+    pieces: Pieces,
+    seams: Sequence[MarkedSeam],
+    drawings: Sequence[Drawing],
+    sheets: Sequence[Sheet],
+) -> tuple[Path, ...]:
+    """Everything is written elsewhere first, so that nothing is left half done."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder, prefix=f".{name}.") as elsewhere:
+        path = Path(elsewhere)
+        on_sheets = _sheet_drawings(name, drawings, sheets)
+        if "svg" in options.formats:
+            for number, sheet in enumerate(on_sheets):
+                suffix = "" if len(on_sheets) == 1 else f"-{number + 1}"
+                write_svg(path / f"{name}{suffix}.svg", sheet.name, sheet.size, sheet.drawings)
+        if "pdf" in options.formats:
+            write_pdf(path / f"{name}.pdf", name, on_sheets)
+            if options.page is not None:
+                write_tiled_pdf(path / f"{name}-{options.page}.pdf", name, on_sheets, options.page)
+        if "dxf" in options.formats:
+            write_dxf(path / f"{name}.dxf", name, drawings, _in_a_row(drawings, sheets))
+        write_side_file(path / f"{name}.json", name, pieces, seams, sheets)
+        written = sorted(path.iterdir())
+        for file in written:
+            os.replace(file, folder / file.name)
+    return tuple(folder / file.name for file in written)
