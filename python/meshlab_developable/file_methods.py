@@ -12,7 +12,8 @@ from typing import Any
 
 from meshlab_developable import mesh_sets
 from meshlab_developable.errors import InvalidMeshError
-from meshlab_developable.filters import MEASURE
+from meshlab_developable.filters import FLATTEN, MEASURE
+from meshlab_developable.flattening import FlatteningResult, flattened_layer
 from meshlab_developable.methods import METHODS
 from meshlab_developable.reports import Measures, OptimizationReport
 
@@ -50,6 +51,26 @@ def develop_file(
     meshes.set_verbosity(False)
     save_whole(meshes, target)
     return report_type.from_values(result)
+
+
+def flatten_file(
+    source: Path, target: Path, textured: Path | None = None, verbose: bool = False, **parameters: Any
+) -> FlatteningResult:
+    """Lay a file's mesh flat and write the pieces as a mesh in the plane z = 0.
+
+    textured: where the mesh goes, with the pieces as its texture coordinates; not written when None.
+    Parameters are those of the filter Flatten Patches. Raises as `measure_file` does.
+    """
+    values = FLATTEN.checked(parameters)
+    meshes = mesh_sets.open_mesh(source, verbose=verbose)
+    model = meshes.current_mesh_id()
+    flat = flattened_layer(meshes, values | {"write_texture_coordinates": textured is not None})
+    meshes.set_verbosity(False)
+    save_whole(meshes, target)
+    if textured is not None:
+        meshes.set_current_mesh(model)
+        save_whole(meshes, textured)
+    return flat
 
 
 def save_whole(meshes: Any, target: Path) -> None:

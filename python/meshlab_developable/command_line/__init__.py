@@ -15,6 +15,8 @@ COMMANDS = {  # name: module beside this one
     "measure": "measure",
     "global": "global_method",
     "local": "local_method",
+    "flatten": "flatten",
+    "pattern": "pattern",
     "script": "script",
     "report": "report",
     "completion": "completion",

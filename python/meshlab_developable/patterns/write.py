@@ -132,8 +132,8 @@ def _write_all(
     sheets: Sequence[Sheet],
 ) -> tuple[Path, ...]:
     """Everything is written elsewhere first, so that nothing is left half done."""
-    folder.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=folder, prefix=f".{name}.") as elsewhere:
+    there = next(parent for parent in (folder, *folder.absolute().parents) if parent.is_dir())
+    with tempfile.TemporaryDirectory(dir=there, prefix=f".{name}.") as elsewhere:
         path = Path(elsewhere)
         on_sheets = _sheet_drawings(name, drawings, sheets)
         if "svg" in options.formats:
@@ -148,6 +148,7 @@ def _write_all(
             write_dxf(path / f"{name}.dxf", name, drawings, _in_a_row(drawings, sheets))
         write_side_file(path / f"{name}.json", name, pieces, seams, sheets)
         written = sorted(path.iterdir())
+        folder.mkdir(parents=True, exist_ok=True)
         for file in written:
             os.replace(file, folder / file.name)
     return tuple(folder / file.name for file in written)

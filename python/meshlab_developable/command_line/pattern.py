@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`developable pattern`: files to print, cut and sew by."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from meshlab_developable.command_line.shared import (
+    MESH,
+    errors_in_words,
+    filter_options,
+    given,
+    json_option,
+    print_json,
+    print_table,
+)
+from meshlab_developable.errors import InvalidParameterError
+from meshlab_developable.filters import FLATTEN
+from meshlab_developable.patterns.options import FORMATS, PAPERS, TURNS, UNITS, Size
+
+
+def _numbers(text: str, separator: str, count: int) -> tuple[float, ...] | None:
+    try:
+        values = tuple(float(part) for part in text.split(separator))
+    except ValueError:
+        return None
+    return values if len(values) == count else None
+
+
+def _unit(_context: click.Context, _option: click.Parameter, text: str) -> str | float:
+    if text in UNITS:
+        return text
+    value = _numbers(text, "x", 1)
+    if value is None:
+        raise click.BadParameter(f"{text!r} is neither a length in mm nor one of {', '.join(UNITS)}")
+    return value[0]
+
+
+def _sheet(_context: click.Context, _option: click.Parameter, text: str | None) -> str | Size | None:
+    if text is None or text in PAPERS:
+        return text
+    size = _numbers(text.lower(), "x", 2)
+    if size is None:
+        raise click.BadParameter(f"{text!r} is neither like 1400x2000 nor one of {', '.join(PAPERS)}")
+    return size[0], size[1]
+
+
+def _grain(
+    _context: click.Context, _option: click.Parameter, text: str | None
+) -> tuple[float, float, float] | None:
+    if text is None:
+        return None
+    axes = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+    found = axes.get(text.lower()) or _numbers(text, ",", 3)
+    if found is None:
+        raise click.BadParameter(f"{text!r} is neither x, y or z nor like 0,0.5,1")
+    return found[0], found[1], found[2]
+
+
+@click.command(name="pattern")
+@click.argument("mesh", type=MESH)
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="The folder for the files.",
+)
+@click.option("--name", help="What the files are called.  [default: as the mesh's file]")
+@click.option(
+    "--unit",
+    default="mm",
+    show_default=True,
+    callback=_unit,
+    help=f"What a unit of the mesh is: {', '.join(UNITS)}, or how many mm.",
+)
+@click.option("--seam-allowance", type=float, help="Width outside the sew line, mm.  [default: 10]")
+@click.option("--notch-spacing", type=float, help="Distance of notches, mm; 0: none.  [default: 100]")
+@click.option(
+    "--grain",
+    callback=_grain,
+    help="What runs upright: x, y, z or a direction like 0,0.5,1.  [default: the longest seam]",
+)
+@click.option(
+    "--sheet",
+    callback=_sheet,
+    help=f"Its size, like 1400x2000 (mm), or {', '.join(PAPERS)}.  [default: as large as needed]",
+)
+@click.option("--gap", type=float, help="Distance of the pieces, mm.  [default: 5]")
+@click.option(
+    "--turns", type=click.Choice(TURNS), help="How pieces may be turned on a sheet.  [default: half]"
+)
+@click.option(
+    "--page", type=click.Choice([*PAPERS, "none"]), help="Paper for the PDF in tiles.  [default: A4]"
+)
+@click.option(
+    "--format",
+    "formats",
+    multiple=True,
+    type=click.Choice(FORMATS),
+    help="Only these files; may be repeated.",
+)
+@click.option(
+    "--piece-name", "piece_names", multiple=True, help="Of the pieces in their order; repeat for each."
+)
+@filter_options(FLATTEN, without=["gap", "map", "write_texture_coordinates", "colorize"])
+@json_option
+def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options: Any) -> None:
+    """Write panels, laid flat at true size, as patterns to print, cut and sew.
+
+    SVG, PDF (whole sheets, and tiles for an office printer), DXF for garment CAD (ASTM D6673, AAMA), and JSON
+    that says which edge is sewn to which. Pieces have a seam allowance, notches and letters that match along
+    seams, a name and a grain line. Make the panels developable first (`developable global`): what can't be
+    laid flat is stretched here and there. Nothing is written when something is wrong.
+
+    \b
+    Examples:
+      developable pattern shoe.ply --output patterns --unit cm
+      developable pattern pants.obj -o patterns --unit cm --sheet 1400x2000 --grain z --turns none
+      developable pattern boat.ply -o patterns --unit m --seam-allowance 0 --format dxf --json
+    """
+    from meshlab_developable.patterns import make_patterns
+
+    with errors_in_words(as_json):
+        parameters = {key: value for key, value in given(options).items() if value != ()}
+        if parameters.get("page") == "none":
+            parameters["page"] = None
+        if not output.parent.exists():
+            raise InvalidParameterError(f"there is no folder {output.parent} to make {output.name} in")
+        made = make_patterns(mesh, folder=output, name=name or mesh.stem, **parameters)
+    values = {
+        "pieces": len(made.piece_names),
+        "sheets": len(made.sheets),
+        "sheet_sizes_mm": [[round(side, 3) for side in size] for size in made.sheets],
+        "seams": len(made.seams),
+        "max_seam_mismatch_mm": max(
+            (abs(a - b) for a, b in (seam.lengths for seam in made.seams)), default=0.0
+        ),
+        "max_edge_strain": made.flattening.report.max_edge_strain,
+        "mean_edge_strain": made.flattening.report.mean_edge_strain,
+    }
+    if as_json:
+        files = [str(file) for file in made.files]
+        print_json({"input": str(mesh), "files": files, "notes": list(made.notes)} | values)
+        return
+    print_table(str(output), values)
+    for line in (*map(str, made.files), *made.notes):
+        click.echo(f"  {line}")

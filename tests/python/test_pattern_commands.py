@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`developable flatten` and `developable pattern`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pymeshlab
+import pytest
+from click.testing import CliRunner
+from meshlab_developable import flatten
+from meshlab_developable.command_line import main
+from shapes import octahedron
+
+MESHES = Path(__file__).parents[2] / "meshes"
+SHEET, PANTS = MESHES / "sheet_bent.ply", MESHES / "short_pants.ply"
+
+
+def developable(*arguments: object):
+    return CliRunner().invoke(main, list(map(str, arguments)), prog_name="developable")
+
+
+def read(path: Path) -> pymeshlab.MeshSet:
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(path))
+    return meshes
+
+
+def test_flatten_writes_the_pieces_and_says_how_well_they_keep_their_lengths(tmp_path):
+    result = developable("flatten", PANTS, "-o", tmp_path / "flat.ply", "--json")
+    assert result.exit_code == 0, result.output
+    printed = json.loads(result.output)
+    expected = flatten(PANTS)
+    assert printed["pieces"] == 4
+    assert printed["seams"] == 7
+    assert printed["mean_edge_strain"] == pytest.approx(expected.report.mean_edge_strain, rel=1e-12)
+    written = read(tmp_path / "flat.ply")
+    np.testing.assert_allclose(written.current_mesh().vertex_matrix()[:, :2], expected.vertices, atol=1e-12)
+
+
+def test_flatten_writes_texture_coordinates_when_asked(tmp_path):
+    result = developable("flatten", SHEET, "-o", tmp_path / "flat.ply", "--textured", tmp_path / "model.obj")
+    assert result.exit_code == 0, result.output
+    model, flat = read(tmp_path / "model.obj"), read(tmp_path / "flat.ply")
+    corners = flat.current_mesh().vertex_matrix()[flat.current_mesh().face_matrix()].reshape(-1, 3)[:, :2]
+    texture = model.current_mesh().wedge_tex_coord_matrix()
+    size = np.ptp(corners, axis=0).max()
+    np.testing.assert_allclose(texture * size, corners - corners.min(axis=0), atol=1e-5 * size)
+
+
+def test_flatten_ends_with_3_when_a_piece_overlaps_itself(tmp_path):
+    turns = np.linspace(0, 9, 60)
+    inner, outer = (np.stack([r * np.cos(turns), r * np.sin(turns), turns / 50], axis=1) for r in (1, 2))
+    faces = [(i, i + 60, i + 1) for i in range(59)] + [(i + 1, i + 60, i + 61) for i in range(59)]
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(np.vstack([inner, outer]), np.array(faces)))
+    meshes.save_current_mesh(str(tmp_path / "ramp.ply"))
+    result = developable("flatten", tmp_path / "ramp.ply", "-o", tmp_path / "flat.ply", "--json")
+    assert result.exit_code == 3, result.output
+    assert json.loads(result.output)["overlapping_pieces"] == 1
+    assert (tmp_path / "flat.ply").exists()
+    assert developable("pattern", tmp_path / "ramp.ply", "-o", tmp_path / "out").exit_code == 2
+    assert not (tmp_path / "out").exists()
+
+
+def test_pattern_writes_what_it_names(tmp_path):
+    arguments = "--json --unit cm --sheet 1400x900 --grain z --turns none --format dxf --piece-name sheet"
+    result = developable("pattern", SHEET, "-o", tmp_path / "out", *arguments.split(" "))
+    assert result.exit_code == 0, result.output
+    printed = json.loads(result.output)
+    names = ["sheet_bent.dxf", "sheet_bent.json"]
+    assert [Path(file).name for file in printed["files"]] == names
+    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == names
+    assert printed["sheet_sizes_mm"] == [[1400, 900]]
+    assert printed["max_edge_strain"] < 1e-4
+    (piece,) = json.loads((tmp_path / "out" / "sheet_bent.json").read_text())["pieces"]
+    assert piece["name"] == "sheet"
+
+
+def test_pattern_says_in_words_what_it_wrote(tmp_path):
+    result = developable("pattern", SHEET, "-o", tmp_path / "out", "--page", "none", "--name", "a sheet")
+    assert result.exit_code == 0, result.output
+    assert "a sheet.svg" in result.output
+    assert sorted(file.suffix for file in (tmp_path / "out").iterdir()) == [".dxf", ".json", ".pdf", ".svg"]
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ("--unit parsec", "'parsec' is neither a length"),
+        ("--unit 0", "unit is 0"),
+        ("--sheet 10", "like 1400x2000"),
+        ("--sheet 12x14", "larger than a sheet of 12 x 14 mm"),
+        ("--grain w", "neither x, y or z"),
+        ("--seam-allowance -3", "seam_allowance is -3"),
+        ("--weld-distance -3", "finite length"),
+    ],
+)
+def test_bad_options_end_with_2_and_leave_nothing(tmp_path, options, words):
+    result = developable("pattern", SHEET, "-o", tmp_path / "out", *options.split())
+    assert result.exit_code == 2
+    assert words in result.output
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("command", ["flatten", "pattern"])
+def test_a_closed_surface_ends_with_2(tmp_path, command):
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(*octahedron()))
+    meshes.save_current_mesh(str(tmp_path / "closed.ply"))
+    result = developable(command, tmp_path / "closed.ply", "-o", tmp_path / "out.ply", "--json")
+    assert result.exit_code == 2
+    assert "closed" in result.output
+    assert not (tmp_path / "out.ply").exists()
