@@ -24,13 +24,13 @@ OkLab pointOnCircle(double lightness, const Eigen::Vector2d& centre, double radi
 
 /// \param share  0 to 1
 OkLab oneSidedColour(double share) {
-	const double lightness = 0.93 - 0.57 * share, angle = (120 - 200 * share) * degree;
+	const double lightness = 0.9 - 0.54 * share, angle = (120 - 200 * share) * degree;
 	return pointOnCircle(lightness, {0.05, -0.04}, 0.13, angle);
 }
 
 /// \param share  -1 to 1
 OkLab signedColour(double share) {
-	const OkLab middle(0.95, 0, 0);
+	const OkLab middle(0.87, 0, 0);
 	const OkLab end = pointOnCircle(0.5, {0, 0}, 0.19, (share < 0 ? 262 : 30) * degree);
 	return middle + std::abs(share) * (end - middle);
 }

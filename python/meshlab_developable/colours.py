@@ -63,14 +63,14 @@ def _one_sided(t: Array) -> Array:
     """An arc of a helix: light yellow, red, dark violet."""
     angle = np.radians(120.0 - 200.0 * t)
     return np.stack(
-        [0.93 - 0.57 * t, 0.05 + 0.13 * np.cos(angle), -0.04 + 0.13 * np.sin(angle)],
+        [0.9 - 0.54 * t, 0.05 + 0.13 * np.cos(angle), -0.04 + 0.13 * np.sin(angle)],
         axis=1,
     )
 
 
 def _signed(t: Array) -> Array:
     """Two straight lines that meet at 0: blue, light grey, red."""
-    middle = np.array([0.95, 0.0, 0.0])
+    middle = np.array([0.87, 0.0, 0.0])
     hue = np.radians(np.where(t < 0, 262.0, 30.0))
     ends = np.stack([np.full(t.shape, 0.5), 0.19 * np.cos(hue), 0.19 * np.sin(hue)], axis=1)
     lines: Array = middle + np.abs(t)[:, None] * (ends - middle)

@@ -13,7 +13,7 @@ DEUTERANOPIA = np.array(
     [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]]
 )
 TO_XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])  # sRGB's
-SHARES = np.linspace(0, 1, 33)
+SHARES = np.linspace(0, 1, 17)
 
 
 def linear(colours):
@@ -57,7 +57,7 @@ SIDES = pytest.mark.parametrize(("signed", "side"), [(False, 1), (True, 1), (Tru
 def test_lightness_alone_orders_the_values(eye, signed, side):
     lightness = cielab(map_colours(side * SHARES, signed), eye)[:, 0]
     assert np.diff(lightness).max() < -1
-    assert lightness[0] > 90
+    assert lightness[0] > 80
     assert 20 < lightness[-1] < 45  # dark, but shading still shows
 
 

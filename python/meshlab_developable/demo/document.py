@@ -13,6 +13,7 @@ from pathlib import Path
 import jinja2
 
 from meshlab_developable.demo.study import Outcome, Pattern, Study
+from meshlab_developable.demo.view import view
 
 Row = tuple[str, str, str]  # what, before, after
 
@@ -103,12 +104,16 @@ def flatness(pattern: Pattern) -> str:
 
 def write_html(file: Path, studies: Sequence[Study], histograms: Sequence[Path]) -> None:
     """One page with everything in it; it needs no other file and no network."""
-    template = importlib.resources.files(__package__).joinpath("report.html.j2").read_text("utf-8")
+    template, viewer = (
+        importlib.resources.files(__package__).joinpath(name).read_text("utf-8")
+        for name in ("report.html.j2", "view.js")
+    )
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
-    for function in (comparison, cost, flatness, size, verdict, embedded):
+    for function in (comparison, cost, flatness, size, verdict, embedded, view):
         environment.globals[function.__name__] = function
     chapters = list(zip(studies, histograms, strict=True))
-    file.write_text(environment.from_string(template).render(chapters=chapters), encoding="utf-8")
+    page = environment.from_string(template).render(chapters=chapters, viewer=viewer)
+    file.write_text(page, encoding="utf-8")
 
 
 def write_text(file: Path, studies: Sequence[Study]) -> None:

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The demonstration's page in a browser: it renders without an error or the network, and its view turns."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from browser import browser, picture
+from meshlab_developable.demo.__main__ import METHODS, demo_inputs, run
+from selenium.webdriver import ActionChains, Keys
+from selenium.webdriver.common.by import By
+
+WHITE = 250
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("page")
+    run(demo_inputs()[:1], METHODS[:2], folder)
+    # A copy on its own: nothing that lies beside the original can help it.
+    alone = tmp_path_factory.mktemp("alone") / "report.html"
+    alone.write_bytes((folder / "report.html").read_bytes())
+    with browser(folder) as driver:
+        driver.get(alone.as_uri())
+        yield driver
+
+
+@pytest.fixture
+def canvas(page):
+    page.refresh()
+    canvas = page.find_element(By.CSS_SELECTOR, ".view canvas")
+    page.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+    return canvas
+
+
+def coloured(image):
+    """The part of the picture that the shape covers."""
+    return (image < WHITE).any(axis=2)
+
+
+def changed(before, after):
+    return (np.abs(after - before).max(axis=2) > 20).mean()
+
+
+def test_the_page_renders_without_an_error(page, canvas):
+    assert canvas.is_displayed()
+    assert page.get_log("browser") == []
+    broken = "return [...document.images].filter(image => !image.complete || !image.naturalWidth).length"
+    assert page.execute_script(broken) == 0
+    assert len(page.find_elements(By.TAG_NAME, "img")) == 5
+    wide = "return document.documentElement.scrollWidth <= document.documentElement.clientWidth"
+    assert page.execute_script(wide)
+
+
+def test_the_page_asks_for_nothing(page, canvas):
+    requests = "return performance.getEntriesByType('resource').map(entry => entry.name)"
+    assert [name for name in page.execute_script(requests) if not name.startswith("data:")] == []
+
+
+def test_the_view_shows_the_shape_in_the_colours_of_its_map(canvas):
+    image = picture(canvas)
+    shape = coloured(image)
+    assert 0.1 < shape.mean() < 0.9
+    red, blue = image[shape][:, 0] - image[shape][:, 2], image[shape][:, 2] - image[shape][:, 0]
+    assert (red > 50).mean() > 0.02
+    assert (blue > 50).mean() > 0.02
+
+
+def test_the_view_turns_and_comes_nearer(page, canvas):
+    before = picture(canvas)
+    ActionChains(page).drag_and_drop_by_offset(canvas, 120, 40).perform()
+    dragged = picture(canvas)
+    assert changed(before, dragged) > 0.05
+    canvas.send_keys(Keys.ARROW_LEFT * 5)
+    turned = picture(canvas)
+    assert changed(dragged, turned) > 0.05
+    canvas.send_keys("-" * 5)
+    assert coloured(picture(canvas)).sum() < 0.6 * coloured(turned).sum()
+    assert page.get_log("browser") == []
+
+
+def test_the_view_shows_each_shape(page, canvas):
+    before = picture(canvas)
+    labels = page.find_elements(By.CSS_SELECTOR, ".view label")
+    titles = [f"after: {method.title}" for method in METHODS[:2]]
+    assert [label.text for label in labels] == ["before", *titles]
+    labels[1].click()
+    after = picture(canvas)
+    assert changed(before, after) > 0.05
+    # What is developable has no colour.
+    assert np.ptp(after[coloured(after)], axis=1).max() < 60
+    labels[0].click()
+    assert changed(before, picture(canvas)) < 0.01
