@@ -80,11 +80,15 @@ def save_whole(meshes: Any, target: Path) -> None:
 
 
 @contextmanager
-def written_whole(target: Path) -> Iterator[Path]:
-    """A path to write to, of the target's suffix; it becomes the target when the block ends well."""
+def written_whole(target: Path, scratch: Path | None = None) -> Iterator[Path]:
+    """A path to write to, of the target's name; it becomes the target when the block ends well.
+
+    scratch: an existing folder on the target's file system for what is not finished; the target's, when None.
+    Raises InvalidMeshError when there is no folder for the target.
+    """
     if not target.parent.is_dir():
         raise InvalidMeshError(f"there is no folder {target.parent} to write {target.name} to")
-    with tempfile.TemporaryDirectory(dir=target.parent, prefix=f".{target.name}.") as folder:
+    with tempfile.TemporaryDirectory(dir=scratch or target.parent, prefix=f".{target.name}.") as folder:
         path = Path(folder) / target.name
         yield path
         os.replace(path, target)

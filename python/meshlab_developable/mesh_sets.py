@@ -182,7 +182,9 @@ def _read_otherwise(path: Path) -> pymeshlab.MeshSet:
     except InvalidMeshError:
         raise
     except (Exception, SystemExit) as error:
-        raise InvalidMeshError(f"{path} cannot be read: {error or type(error).__name__}") from None
+        # meshio ends the program, with a number, where it finds no sense in a file
+        why = "malformed file" if isinstance(error, SystemExit) else str(error) or type(error).__name__
+        raise InvalidMeshError(f"{path} cannot be read: {why}") from None
 
 
 def _texture_coordinates(mesh: Any) -> Array | None:

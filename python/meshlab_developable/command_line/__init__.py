@@ -19,6 +19,7 @@ COMMANDS = {  # name: module beside this one
     "pattern": "pattern",
     "script": "script",
     "report": "report",
+    "batch": "batch",
     "completion": "completion",
 }
 

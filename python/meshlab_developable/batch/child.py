@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The process that does the work: a job a line comes in, a row a line goes out.
+
+`python -m meshlab_developable.batch.child PARENT MEMORY_LIMIT`, the limit in MB above what it takes itself.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+import json
+import os
+import resource
+import signal
+import sys
+from pathlib import Path
+from typing import Any
+
+from meshlab_developable import mesh_sets, plugin
+from meshlab_developable.batch.records import State
+from meshlab_developable.batch.thumbnails import write_thumbnail
+from meshlab_developable.errors import DevelopableError
+from meshlab_developable.file_methods import written_whole
+from meshlab_developable.methods import METHODS
+
+OUT_OF_MEMORY = 77  # exit code
+_PARENT_DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl
+
+
+def main() -> None:
+    """Works until there is no more work, or no parent."""
+    parent, limit = int(sys.argv[1]), float(sys.argv[2])
+    _die_with(parent)
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)  # what libraries print is no answer
+    plugin.load()
+    _limit_memory(limit)
+    print("{}", file=answers, flush=True)  # ready
+    for line in sys.stdin:
+        try:
+            answer = _work(json.loads(line))
+        except MemoryError:
+            os._exit(OUT_OF_MEMORY)
+        print(json.dumps(answer), file=answers, flush=True)
+
+
+def _work(request: dict[str, Any]) -> dict[str, Any]:
+    """The row of a job, but for the input's name."""
+    try:
+        return _developed(request)
+    except DevelopableError as error:
+        if "bad_alloc" in str(error):
+            raise MemoryError from error
+        return {"state": State.BAD_INPUT, "message": " ".join(str(error).split()), "numbers": {}}
+
+
+def _developed(request: dict[str, Any]) -> dict[str, Any]:
+    applied, report_type = METHODS[request["method"]]
+    meshes = mesh_sets.open_mesh(Path(request["source"]))
+    numbers = mesh_sets.apply_filter(meshes, applied, request["parameters"])
+    scratch = Path(request["scratch"])
+    with written_whole(Path(request["target"]), scratch) as path:
+        mesh_sets.save(meshes, path)
+    with written_whole(Path(request["thumbnail"]), scratch) as path:
+        write_thumbnail(path, meshes.current_mesh())
+    report = report_type.from_values(numbers)
+    state = State.DONE if report.developable else State.NOT_CONVERGED
+    numbers = dataclasses.asdict(report) | {"status": int(report.status)}
+    return {"state": state, "message": report.status.text, "numbers": numbers}
+
+
+def _die_with(parent: int) -> None:
+    """Linux ends this process when its parent is gone, however that came."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PARENT_DEATH_SIGNAL, signal.SIGKILL)
+    if os.getppid() != parent:
+        sys.exit("the parent is gone")
+
+
+def _limit_memory(limit: float) -> None:
+    """Where the system counts a process's data, it may grow by so many MB."""
+    status = Path("/proc/self/status")
+    if not status.exists():
+        return
+    lines = dict(line.split(":", 1) for line in status.read_text().splitlines())
+    now = int(lines["VmData"].split()[0]) * 1024
+    resource.setrlimit(resource.RLIMIT_DATA, (now + int(limit * 2**20),) * 2)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A batch from its inputs to its tables."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+import shutil
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+from distributed import Client, LocalCluster, as_completed, get_worker
+
+from meshlab_developable.batch.children import Children
+from meshlab_developable.batch.inputs import Input
+from meshlab_developable.batch.overview import write_overview
+from meshlab_developable.batch.records import Job, Row, State, read_record, write_record
+from meshlab_developable.batch.settings import Settings
+from meshlab_developable.batch.table import write_tables
+from meshlab_developable.errors import DevelopableError
+
+Finished = Callable[[Row], None]
+
+
+def run(
+    inputs: Sequence[Input],
+    out: Path,
+    settings: Settings,
+    *,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    again: Sequence[State] = (),
+    finished: Finished = lambda row: None,
+) -> list[Row]:
+    """Work on all the inputs and write everything into the folder `out`; the rows in the inputs' order.
+
+    scheduler: the address of a Dask scheduler whose workers see the same files; without one a cluster in
+    processes of this machine, with so many workers (all cores when None). Inputs that an earlier run into the
+    same folder has finished are not worked on again, unless they ended in a state of `again`, or the file or
+    the method has changed. finished: called with each row, those of earlier runs first.
+
+    Raises DevelopableError when the folder or the scheduler cannot be used, or another run uses the folder.
+    """
+    with _claimed(out) as scratch:
+        jobs = [_job(item, out, scratch, settings) for item in inputs]
+        rows = {job.name: row for job in jobs if (row := read_record(job)) and row.state not in again}
+        for row in rows.values():
+            finished(row)
+        waiting = [job for job in jobs if job.name not in rows]
+        for job in waiting:
+            job.record.unlink(missing_ok=True)
+        if waiting:
+            with _client(scheduler, min(workers or _cores(), len(waiting))) as client:
+                for row in _work(client, waiting, settings):
+                    rows[row.input] = row
+                    finished(row)
+        result = [rows[job.name] for job in jobs]
+        write_tables(out, result, settings.method, scratch)
+        write_overview(out, jobs, result, scratch)
+    return result
+
+
+def work(job: Job) -> Row:
+    """What a Dask worker does with a mesh; the result is recorded before it is returned.
+
+    Dask repeats what it lost with a worker, so a mesh that was finished by one that died is finished.
+    """
+    recorded = read_record(job)
+    if recorded:
+        return recorded
+    children = get_worker().plugins[Children.name]
+    assert isinstance(children, Children)
+    fingerprint = job.fingerprint()  # of the file as it is before it is read
+    for path in (job.target, job.thumbnail):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)  # of an earlier run of another method
+    row = children.work(job)
+    write_record(job, row, fingerprint)
+    return row
+
+
+def _work(client: Client, jobs: Sequence[Job], settings: Settings) -> Iterator[Row]:
+    """The rows as they come."""
+    client.register_plugin(Children(settings))
+    try:
+        futures = client.map(work, jobs, pure=False)
+        job_of = {future.key: job for future, job in zip(futures, jobs, strict=True)}
+        for future in as_completed(futures):
+            job = job_of[future.key]
+            if future.status == "finished":
+                # Dask would fetch the row from the worker, which may be dead by now.
+                yield read_record(job) or future.result()
+            else:
+                row = Row(job.name, State.CRASHED, f"the worker failed: {future.exception()}")
+                write_record(job, row, job.fingerprint())
+                yield row
+    finally:
+        with contextlib.suppress(OSError):
+            client.unregister_worker_plugin(Children.name)
+
+
+@contextlib.contextmanager
+def _client(scheduler: str | None, workers: int) -> Iterator[Client]:
+    if scheduler is not None:
+        try:
+            with Client(scheduler, timeout=30) as client:
+                yield client
+        except (OSError, ValueError) as error:
+            raise DevelopableError(f"the scheduler {scheduler} cannot be used: {error}") from None
+        return
+    with (
+        LocalCluster(
+            n_workers=workers,
+            threads_per_worker=1,
+            processes=True,
+            memory_limit=0,  # children have a limit of their own
+            dashboard_address="127.0.0.1:0",
+            silence_logs="CRITICAL",
+        ) as cluster,
+        Client(cluster) as client,
+    ):
+        yield client
+
+
+@contextlib.contextmanager
+def _claimed(out: Path) -> Iterator[Path]:
+    """The folder `out`, for this run alone; gives a folder in it for what is not finished."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        lock = (out / ".lock").open("w")
+    except OSError as error:
+        raise DevelopableError(f"{out} cannot be written to: {error.strerror}") from None
+    with lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise DevelopableError(f"another run is writing to {out}") from None
+        scratch = (out / ".unfinished").absolute()
+        shutil.rmtree(scratch, ignore_errors=True)  # of a run that was killed
+        scratch.mkdir()
+        try:
+            yield scratch
+        finally:
+            shutil.rmtree(scratch, ignore_errors=True)
+
+
+def _job(item: Input, out: Path, scratch: Path, settings: Settings) -> Job:
+    folder = out.absolute()
+    return Job(
+        name=item.name,
+        source=item.path,
+        target=folder / "meshes" / f"{item.stem}.ply",
+        thumbnail=folder / "thumbnails" / f"{item.stem}.png",
+        record=folder / "records" / f"{item.stem}.json",
+        scratch=scratch,
+        settings=settings,
+    )
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rows of a batch as `results.parquet` and `results.csv`."""
+
+from __future__ import annotations
+
+import dataclasses
+import typing
+from collections.abc import Sequence
+from pathlib import Path
+
+import pyarrow
+import pyarrow.csv
+import pyarrow.parquet
+
+from meshlab_developable.batch.records import Row
+from meshlab_developable.file_methods import written_whole
+from meshlab_developable.methods import METHODS
+
+_TYPES = {bool: pyarrow.bool_(), float: pyarrow.float64()}
+
+
+def write_tables(out: Path, rows: Sequence[Row], method: str, scratch: Path) -> None:
+    """A row an input: `input`, `state`, `message`, then the method's numbers, empty where there are none."""
+    table = _table(rows, method)
+    with written_whole(out / "results.parquet", scratch) as path:
+        pyarrow.parquet.write_table(table, path)
+    with written_whole(out / "results.csv", scratch) as path:
+        pyarrow.csv.write_csv(table, path)
+
+
+def _table(rows: Sequence[Row], method: str) -> pyarrow.Table:
+    report = METHODS[method][1]
+    types = typing.get_type_hints(report)
+    names = [field.name for field in dataclasses.fields(report)]
+    schema = pyarrow.schema(
+        [(name, pyarrow.string()) for name in ("input", "state", "message")]
+        + [(name, _TYPES.get(types[name], pyarrow.int64())) for name in names]
+    )
+    content = [
+        {"input": row.input, "state": str(row.state), "message": row.message, **row.numbers} for row in rows
+    ]
+    return pyarrow.Table.from_pylist(content, schema=schema)
