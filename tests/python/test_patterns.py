@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -167,16 +168,23 @@ def test_the_grain_line_stands_upright(blocks):
         assert shapely.Polygon(sew_ring(layers)).contains(line)
 
 
-def test_pieces_lie_apart_on_their_sheets(side_file, blocks):
+def placed_on_sheets(side_file):
+    """The cut pieces where they lie, by their sheet's number."""
     placed = {1: [], 2: []}
     for piece in side_file["pieces"]:
         ring = np.array(piece["cut_lines"][0])
         angle = np.radians(piece["turned_degrees"])
         turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
         placed[piece["sheet"]].append(shapely.Polygon(ring @ turn + piece["shifted"]))
+    return placed
+
+
+def test_pieces_lie_apart_on_their_sheets(side_file, blocks):
+    for piece in side_file["pieces"]:
         assert piece["turned_degrees"] in (0, 180)
-        assert shapely.Polygon(ring).equals_exact(cut_polygon(blocks[piece["dxf_block"]]), 1e-3)
-    for shapes in placed.values():
+        ring = shapely.Polygon(piece["cut_lines"][0])
+        assert ring.equals_exact(cut_polygon(blocks[piece["dxf_block"]]), 1e-3)
+    for shapes in placed_on_sheets(side_file).values():
         assert shapes
         for index, shape in enumerate(shapes):
             assert shapely.box(0, 0, *SHEET).contains(shape)
@@ -259,7 +267,7 @@ def test_the_square_measures_ten_centimetres(pants):
     assert any(np.ptp(line, axis=0) == pytest.approx((100, 100), abs=TOLERANCE) for line in cover["lines"])
 
 
-def test_tiles_are_pages_of_the_paper_that_cover_the_sheet(pants):
+def test_tiles_are_pages_of_the_paper_that_cover_the_pieces(pants, side_file):
     _, folder = pants
     cover, *tiles = readers.read_pdf(folder / "pants-Letter.pdf")
     assert cover["size"] == pytest.approx((215.9, 279.4), abs=0.01)
@@ -269,14 +277,21 @@ def test_tiles_are_pages_of_the_paper_that_cover_the_sheet(pants):
         next(n for n in range(1, 99) if n * (window - 15) + 15 >= side)
         for window, side in zip((width, height), SHEET, strict=True)
     )
-    assert len(tiles) == 2 * columns * rows
-    assert "A1" in tiles[0]["text"]
-    # Laid on top of each other by the overlap, the first two tiles have crosses at the same points.
+    shown = [re.search(r"(?:sheet (\d) of 2), tile (\w)(\d)", tile["text"]).groups() for tile in tiles]
+    assert len(set(shown)) == len(tiles) <= 2 * columns * rows
+    windows = {"1": [], "2": []}
+    for sheet, row, column in shown:
+        x, y = (int(column) - 1) * (width - 15), (rows - 1 - "ABCDEFGH".index(row)) * (height - 15)
+        windows[sheet].append(shapely.box(x, y, x + width, y + height))
+    for sheet, shapes in placed_on_sheets(side_file).items():
+        assert shapely.union_all(windows[str(sheet)]).buffer(1e-6).contains(shapely.union_all(shapes))
+    # Laid on top of each other by the overlap, neighbours have crosses at the same points.
+    left = next(i for i in range(len(shown)) if shown[i + 1] == (*shown[i][:2], str(int(shown[i][2]) + 1)))
     marks = [
         np.array(
             [line.mean(axis=0) for line in tile["crosses"] if abs(np.ptp(line, axis=0).max() - 8) < 0.01]
         )
-        for tile in tiles[:2]
+        for tile in tiles[left : left + 2]
     ]
     apart = np.linalg.norm(marks[0][:, None] - (marks[1] + (width - 15, 0)), axis=2)
     assert (apart.min(axis=1) < 0.01).sum() == 4  # two crosses of two lines

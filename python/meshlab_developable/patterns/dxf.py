@@ -46,6 +46,8 @@ def write_dxf(file: FilePath, title: str, drawings: Sequence[Drawing], motions: 
             "Grading Rule Table: NONE",
             "Units: METRIC",
         ),
+        np.zeros(2),
+        4.0,
     )
     gerber_D6673.export_file(document, str(file))
 
@@ -59,7 +61,13 @@ def block_name(piece: str) -> str:
 
 
 def _fill(block: Any, drawing: Drawing) -> None:
-    _system_texts(block, (f"Piece Name: {drawing.name}", "Size: 1", "Quantity: 1,0"))
+    name = drawing.texts[0]
+    _system_texts(
+        block,
+        (f"Piece Name: {drawing.name}", "Size: 1", "Quantity: 1,0"),
+        name.centre - (1.5 * name.height, name.height),
+        name.height / 3,
+    )
     for path in drawing.paths:
         layer = {"layer": str(path.layer.value)}
         if path.layer == Layer.GRAIN:  # one line, without its arrowhead
@@ -85,10 +93,11 @@ def _turns(ring: Array) -> Array:
     return turns
 
 
-def _system_texts(block: Any, lines: Sequence[str]) -> None:
-    """What programs read, one below the other at the origin."""
+def _system_texts(block: Any, lines: Sequence[str], at: Array, height: float) -> None:
+    """What programs read, one below the other."""
     for row, line in enumerate(lines):
-        _add_text(block, line, np.array((0.0, -8.0 * (row + 1))), 4.0, Layer.BOUNDARY, centred=False)
+        place = at - (0.0, 2 * height * (row + 1))
+        _add_text(block, line, place, height, Layer.BOUNDARY, centred=False)
 
 
 def _add_text(block: Any, content: str, at: Array, height: float, layer: Layer, centred: bool = True) -> None:

@@ -8,6 +8,7 @@ import math
 from collections.abc import Sequence
 from pathlib import Path as FilePath
 
+import shapely
 from reportlab.pdfgen.canvas import Canvas
 
 from meshlab_developable.errors import PatternError
@@ -84,6 +85,23 @@ class Grid:
                         found.append((x + share * width, y + height - OVERLAP / 2, names))
         return found
 
+    def needed(self, sheet: SheetDrawing) -> list[tuple[int, int]]:
+        """Column and row of the tiles that show something, from the top left."""
+        shapes = [
+            shapely.Polygon(path.points)
+            for drawing in sheet.drawings
+            for path in drawing.paths
+            if path.layer in (Layer.BOUNDARY, Layer.TEXT)
+        ]
+        width, height = self.window
+        found = []
+        for row in reversed(range(self.rows)):
+            for column in range(self.columns):
+                x, y = self.corner(column, row)
+                if shapely.intersects(shapely.box(x, y, x + width, y + height), shapes).any():
+                    found.append((column, row))
+        return found
+
     def name(self, column: int, row: int) -> str:
         """A letter for the row, from the top, and a number for the column."""
         return f"{chr(ord('A') + (self.rows - 1 - row) % 26)}{column + 1}"
@@ -102,14 +120,13 @@ def tile_grid(size: Size, paper: Size) -> Grid:
 
 
 def write_tiled_pdf(file: FilePath, title: str, sheets: Sequence[SheetDrawing], paper: str) -> None:
-    """A cover with a square to check the print, then every sheet in tiles that overlap."""
+    """A cover with a square to check the print, then the sheets in tiles that overlap, without empty ones."""
     canvas = _canvas(file, title)
     grids = [tile_grid(sheet.size, PAPERS[paper]) for sheet in sheets]
     _cover(canvas, title, PAPERS[paper], sheets, grids)
     for sheet, grid in zip(sheets, grids, strict=True):
-        for row in reversed(range(grid.rows)):
-            for column in range(grid.columns):
-                _tile(canvas, sheet, grid, column, row)
+        for column, row in grid.needed(sheet):
+            _tile(canvas, sheet, grid, column, row)
     canvas.save()
 
 
@@ -178,7 +195,7 @@ def _cover(
     canvas.setPageSize([side * POINT for side in page])
     canvas.scale(POINT, POINT)
     top = page[1] - MARGIN
-    tiles = sum(grid.columns * grid.rows for grid in grids)
+    tiles = sum(len(grid.needed(sheet)) for sheet, grid in zip(sheets, grids, strict=True))
     lines = (
         title,
         f"{len(sheets)} {'sheet' if len(sheets) == 1 else 'sheets'} in {tiles} tiles. Print at 100 %.",
@@ -187,7 +204,7 @@ def _cover(
     for index, line in enumerate(lines):
         _write(canvas, line, MARGIN, top - 8 - 8 * index, 5 if index == 0 else 3, centred=False)
     _draw(canvas, print_check().moved(Motion(0, (MARGIN + 5, top - 140))))
-    _overview(canvas, sheets, grids, (MARGIN, MARGIN, page[0] - 2 * MARGIN, top - 160))
+    _overview(canvas, sheets, grids, (MARGIN, MARGIN, page[0] - 2 * MARGIN, top - 170))
     canvas.showPage()
 
 
@@ -196,9 +213,10 @@ def _overview(
 ) -> None:
     """Small pictures of the sheets with the names of their tiles, side by side in a box."""
     left, low, width, height = box
-    total = sum(sheet.size[0] for sheet in sheets) * 1.1
-    scale = min(width / total, height / max(sheet.size[1] for sheet in sheets))
-    for sheet, grid in zip(sheets, grids, strict=True):
+    extents = [grid.corner(grid.columns, grid.rows) for grid in grids]  # and one overlap more
+    total = sum(1.1 * (extent[0] + OVERLAP) for extent in extents)
+    scale = min(width / total, height / (max(extent[1] for extent in extents) + OVERLAP))
+    for sheet, grid, extent in zip(sheets, grids, extents, strict=True):
         canvas.saveState()
         canvas.translate(left, low)
         canvas.scale(scale, scale)
@@ -206,14 +224,13 @@ def _overview(
             _draw(canvas, Drawing(drawing.name, [p for p in drawing.paths if p.layer == Layer.BOUNDARY]))
         canvas.setStrokeColor("#999999")
         canvas.setLineWidth(0.2 / scale)
-        for row in range(grid.rows):
-            for column in range(grid.columns):
-                x, y = grid.corner(column, row)
-                canvas.rect(x, y, grid.window[0], grid.window[1])
-                centre = x + grid.window[0] / 2, y + grid.window[1] / 2
-                _write(canvas, grid.name(column, row), *centre, min(0.2 * grid.window[0], 4 / scale))
+        for column, row in grid.needed(sheet):
+            x, y = grid.corner(column, row)
+            canvas.rect(x, y, grid.window[0], grid.window[1])
+            centre = x + grid.window[0] / 2, y + grid.window[1] / 2
+            _write(canvas, grid.name(column, row), *centre, min(0.2 * grid.window[0], 4 / scale))
         canvas.restoreState()
-        left += 1.1 * scale * sheet.size[0]
+        left += 1.1 * scale * (extent[0] + OVERLAP)
 
 
 def _draw(canvas: Canvas, drawing: Drawing) -> None:
