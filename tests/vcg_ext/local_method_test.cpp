@@ -17,11 +17,10 @@ Measures measured(const PatchAssembly& assembly, const Positions& positions) {
 
 TEST(LocalState, DerivativeOfTAgreesWithDifferences) {
 	const PatchAssembly assembly = assembled(jitteredGrid(7, 7, bumpedCylinder));
-	const detail::Movers movers(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
-	detail::LocalState state(assembly, assembly.originalPositions, movers);
+	detail::LocalState state(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
 	const double step = 1e-6;
 	for (int place = 0; place < assembly.placeCount(); ++place) {
-		if (!movers.movable[place])
+		if (!state.mesh().movable(place))
 			continue;
 		const double derivative = state.localDerivative(place);
 		state.moveTo(place, step);
@@ -35,12 +34,12 @@ TEST(LocalState, DerivativeOfTAgreesWithDifferences) {
 
 TEST(LocalState, DerivativeOfTheUnevennessAgreesWithDifferences) {
 	const PatchAssembly assembly = assembled(jitteredGrid(6, 6, bumpedCylinder));
-	const detail::Movers movers(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
-	detail::LocalState state(assembly, assembly.originalPositions, movers);
+	detail::LocalState state(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
 	for (int place = 0; place < assembly.placeCount(); ++place)
-		if (movers.movable[place])
+		if (state.mesh().movable(place))
 			state.moveTo(place, 0.01 * (place % 7 - 3));
-	const int place = 14;
+	const auto& order = state.mesh().originalPlace;
+	const int place = static_cast<int>(std::find(order.begin(), order.end(), 14) - order.begin());
 	const double height = state.height(place), derivative = state.unevennessDerivative(place);
 	state.moveTo(place, height + 1e-5);
 	const double above = state.unevenness(place);
@@ -51,10 +50,9 @@ TEST(LocalState, DerivativeOfTheUnevennessAgreesWithDifferences) {
 
 TEST(LocalState, KeepsAngleDefectsEqualToANewComputation) {
 	const PatchAssembly assembly = assembled(jitteredGrid(8, 8, saddle));
-	const detail::Movers movers(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
-	detail::LocalState state(assembly, assembly.originalPositions, movers);
+	detail::LocalState state(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
 	for (int place = 0; place < assembly.placeCount(); place += 3)
-		if (movers.movable[place])
+		if (state.mesh().movable(place))
 			state.moveTo(place, 0.01 * (place % 5 - 2));
 	EXPECT_EQ(state.defects(), angleDefects(assembly, state.positions()));
 	EXPECT_NEAR(state.detectFunction(), detectFunction(state.defects()), 1e-12);
@@ -207,21 +205,46 @@ TEST(LocalMethod, RefusesWhatItCannotWorkOn) {
 	EXPECT_THROW(localMethod(held, positions, {}), NothingFree);
 }
 
+/// Two sheets sewn along an edge, with a ridge across the seam.
+PatchAssembly sewnSheets() {
+	const auto ridge = [](double u, double v) -> Eigen::Vector3d {
+		return {u, v, 0.1 * std::exp(-20 * ((u - 1) * (u - 1) + (v - 0.5) * (v - 0.5)))};
+	};
+	return assembled(together(jitteredGrid(9, 9, ridge),
+							  jitteredGrid(9, 9, [&](double u, double v) { return ridge(1 + u, v); })));
+}
+
+void expectEqualToSlow(const PatchAssembly& assembly, double displacement, double tolerance) {
+	Positions expected = assembly.originalPositions, positions = expected;
+	const long operations = slowLocalMethod(assembly, expected, tolerance, displacement, 3000);
+	LocalMethodOptions options;
+	options.maxDisplacement = displacement;
+	options.angleTolerance = tolerance;
+	options.maxOperations = 3000;
+	EXPECT_EQ(localMethod(assembly, positions, options).iterations, operations);
+	EXPECT_EQ(positions, expected);
+	EXPECT_NE(positions, assembly.originalPositions);
+}
+
 TEST(LocalMethod, EqualsTheSlowOneToTheLastBit) {
 	int case_ = 0;
 	for (const Surface& surface : {Surface(bumpedCylinder), Surface(saddle), sphereCap(1.0)})
 		for (const double displacement : {0.002, 0.05})
-			for (const double tolerance : {0.01, 1e-4}) {
-				const PatchAssembly assembly = assembled(jitteredGrid(8 + case_++ % 3, 9, surface));
-				Positions expected = assembly.originalPositions, positions = expected;
-				const long operations = slowLocalMethod(assembly, expected, tolerance, displacement, 3000);
-				LocalMethodOptions options;
-				options.maxDisplacement = displacement;
-				options.angleTolerance = tolerance;
-				options.maxOperations = 3000;
-				EXPECT_EQ(localMethod(assembly, positions, options).iterations, operations);
-				EXPECT_EQ(positions, expected);
-			}
+			for (const double tolerance : {0.01, 1e-4})
+				expectEqualToSlow(assembled(jitteredGrid(8 + case_++ % 3, 9, surface)), displacement,
+								  tolerance);
+}
+
+TEST(LocalMethod, EqualsTheSlowOneBetweenSeamsAndWhereVerticesAreEquallyBad) {
+	expectEqualToSlow(sewnSheets(), 0.05, 1e-4);
+	TriangleMesh mesh = grid(9, 9, flatSheet);
+	for (const int vertex : {2 * 9 + 6, 4 * 9 + 4, 6 * 9 + 2}) // an order that no spatial one has
+		mesh.positions(2, vertex) = 0.25;
+	const PatchAssembly assembly = assembled(mesh);
+	const Eigen::VectorXd defects = angleDefects(assembly, assembly.originalPositions);
+	ASSERT_EQ(defects[2 * 9 + 6], defects[6 * 9 + 2]);
+	for (const double displacement : {0.01, 0.2})
+		expectEqualToSlow(assembly, displacement, 1e-4);
 }
 
 /// A cap that the paper's method does not finish.
@@ -291,15 +314,6 @@ TEST(LocalMethod, SmoothingEvensOutTheDisplacementsAtEqualDetectFunction) {
 	EXPECT_LT(roughness(assembly, smooth), roughness(assembly, plain));
 }
 
-/// Two sheets sewn along an edge, with a ridge across the seam.
-PatchAssembly sewnSheets() {
-	const auto ridge = [](double u, double v) -> Eigen::Vector3d {
-		return {u, v, 0.1 * std::exp(-20 * ((u - 1) * (u - 1) + (v - 0.5) * (v - 0.5)))};
-	};
-	return assembled(together(jitteredGrid(9, 9, ridge),
-							  jitteredGrid(9, 9, [&](double u, double v) { return ridge(1 + u, v); })));
-}
-
 TEST(LocalMethod, MovesSeamsWhenTheyMayMoveTogether) {
 	const PatchAssembly assembly = sewnSheets();
 	ASSERT_EQ(assembly.patchCount(), 2);
@@ -367,25 +381,56 @@ TEST(TriangleIntersection, KnowsDisjointCrossingAndJoinedTriangles) {
 	EXPECT_FALSE(detail::intersect(triangle(0, 1, 2), triangle(1, 4, 5))); // the same on the other side
 }
 
-TEST(IndexedHeap, HandsOutTheLargestKeyFirstWhateverItsHistory) {
-	const int count = 200;
-	detail::IndexedHeap heap(count);
-	std::mt19937 random(3);
-	std::vector<double> keys(count, -1);
-	for (int round = 0; round < 5000; ++round) {
-		const int item = static_cast<int>(random() % count);
-		if (random() % 4 == 0 && heap.contains(item)) {
-			heap.remove(item);
-			keys[item] = -1;
-		} else {
-			keys[item] = static_cast<double>(random() % 50);
-			heap.set(item, keys[item]);
-		}
-		const auto largest = std::max_element(keys.begin(), keys.end()); // the first of equals
-		if (*largest >= 0) {
-			ASSERT_EQ(heap.top(), largest - keys.begin());
+TEST(Tournament, HandsOutTheLargestKeyFirstWhateverItsHistory) {
+	for (const int count : {1, 7, 33, 200}) {
+		std::mt19937 random(3);
+		std::vector<int> ranks(count);
+		std::iota(ranks.begin(), ranks.end(), 0);
+		std::shuffle(ranks.begin(), ranks.end(), random);
+		detail::Tournament tournament(ranks);
+		std::vector<double> keys(count, -1); // by rank
+		for (int round = 0; round < 5000; ++round) {
+			const int item = static_cast<int>(random() % count);
+			double& key = keys[ranks[item]];
+			EXPECT_EQ(tournament.contains(item), key >= 0);
+			key = random() % 4 == 0 ? -1 : static_cast<double>(random() % 50);
+			if (key < 0)
+				tournament.remove(item);
+			else
+				tournament.set(item, key);
+			const auto largest = std::max_element(keys.begin(), keys.end()); // the first of equals
+			ASSERT_EQ(tournament.size(),
+					  std::count_if(keys.begin(), keys.end(), [](double k) { return k >= 0; }));
+			ASSERT_EQ(tournament.empty(), *largest < 0);
+			if (!tournament.empty()) {
+				ASSERT_EQ(ranks[tournament.top()], largest - keys.begin());
+				ASSERT_EQ(tournament.topKey(), *largest);
+			}
 		}
 	}
+}
+
+TEST(Tournament, TakesOutWhatIsNotANumber) {
+	const std::vector<int> ranks = {0, 1, 2};
+	detail::Tournament tournament(ranks);
+	tournament.set(0, 1);
+	tournament.set(1, std::nan(""));
+	EXPECT_EQ(tournament.size(), 1);
+	EXPECT_EQ(tournament.top(), 0);
+}
+
+TEST(SpatialOrder, NumbersEachPointOnceAndNeighboursClosely) {
+	const int side = 64;
+	const TriangleMesh mesh = grid(side, side, flatSheet);
+	const std::vector<int> order = detail::spatialOrder(mesh.positions);
+	std::vector<int> number(order.size(), -1);
+	for (int i = 0; i < side * side; ++i)
+		number[order[i]] = i;
+	EXPECT_EQ(std::count(number.begin(), number.end(), -1), 0);
+	int near = 0;
+	for (int v = side; v < side * side; ++v)
+		near += std::abs(number[v] - number[v - side]) < side / 2; // row by row all of them are `side` apart
+	EXPECT_GT(near, 0.7 * side * side);
 }
 
 } // namespace

@@ -4,9 +4,10 @@
 
 #include "../assemble_patches.h"
 #include "../progress.h"
-#include "indexed_heap.h"
 #include "local_state.h"
+#include "look_ahead.h"
 #include "self_intersections.h"
+#include "tournament.h"
 
 #include <cstdio>
 
@@ -16,19 +17,21 @@ class LocalOptimizer {
 public:
 	LocalOptimizer(const PatchAssembly& assembly, const Positions& positions,
 				   const LocalMethodOptions& options)
-		: assembly_(assembly), options_(options), movers_(assembly, positions, options.assemblingVertices),
-		  state_(assembly, positions, movers_), heap_(assembly.placeCount()),
+		: options_(options), state_(assembly, positions, options.assemblingVertices), mesh_(state_.mesh()),
+		  worst_(mesh_.originalPlace), lookAhead_(mesh_),
 		  limit_(options.maxDisplacement == LocalMethodOptions::meanEdge ? meanEdgeLength(assembly)
 																		 : options.maxDisplacement),
 		  smoothing_(options.smoothing / std::pow(meanEdgeLength(assembly), 2)),
-		  intersections_(assembly, positions, options.avoidSelfIntersections ? limit_ : 0) {}
+		  intersections_(mesh_, options.avoidSelfIntersections ? limit_ : 0) {}
 
 	LocalMethodReport run(Positions& positions, const Progress& progress) {
 		if (allDevelopable())
 			return report_;
-		fillHeap();
+		fillTournament();
+		movableCount_ = worst_.size();
 		startValue_ = lowestValue_ = state_.detectFunction();
 		report_.status = visitAll(progress);
+		report_.setAside = movableCount_ - worst_.size();
 		if (report_.status == Status::Stopped)
 			return report_;
 		returnToLowest();
@@ -51,26 +54,25 @@ private:
 
 	/// The place with the largest g² comes first. Where patches meet g may be 0 in each of them though a move
 	/// would help the neighbours: there the largest g² among the terms of T counts.
-	double key(int place) const {
-		if (movers_.own[place] > 1)
-			return state_.largestSquaredDefect(place);
-		const double defect = state_.defects()[*movers_.affected.of(place).begin()];
-		return defect * defect;
+	void rekey(int place) {
+		const int first = mesh_.places[place].firstCopy;
+		worst_.set(place, mesh_.copies[first].alone ? state_.squaredDefect(first)
+													: state_.largestSquaredDefect(place));
 	}
 
-	void fillHeap() {
-		for (int place = 0; place < assembly_.placeCount(); ++place)
-			if (movers_.movable[place])
-				heap_.set(place, key(place));
-		if (heap_.empty())
+	void fillTournament() {
+		for (int place = 0; place < mesh_.placeCount(); ++place)
+			if (mesh_.movable(place))
+				rekey(place);
+		if (worst_.empty())
 			throw NothingFree(
 				"No vertex can move: those with an angle defect lie on seams or are held still. "
 				"Hold fewer vertices still, or use the global method.");
 	}
 
 	Status visitAll(const Progress& progress) {
-		const long patience = 20L * heap_.size();
-		while (!heap_.empty() && heap_.topKey() > options_.angleTolerance * options_.angleTolerance) {
+		const long patience = 20L * movableCount_;
+		while (!worst_.empty() && worst_.topKey() > options_.angleTolerance * options_.angleTolerance) {
 			if (report_.iterations - lowestAt_ > patience)
 				return Status::Stalled;
 			if (report_.iterations == options_.maxOperations)
@@ -79,8 +81,11 @@ private:
 				!mayGoOn(progress, fractionDone(), inWords()))
 				return Status::Stopped;
 			++report_.iterations;
-			visit(heap_.top());
+			const int place = worst_.top();
+			visit(place);
 			rememberLowest();
+			if (const int soon = worst_.successor(place); soon >= 0)
+				lookAhead_.expect(soon);
 		}
 		return Status::Stalled;
 	}
@@ -111,8 +116,7 @@ private:
 			moves_.push_back({place, before});
 			rekeyRound(place);
 		} else {
-			heap_.remove(place);
-			++report_.setAside;
+			worst_.remove(place);
 		}
 	}
 
@@ -128,33 +132,27 @@ private:
 		for (int halving = 0; halving <= mostHalvings; ++halving) {
 			state_.moveTo(place, before + std::ldexp(wanted - before, -halving));
 			const bool descended = !options_.descent || objective(place) < startValue;
-			const bool intersects = descended && options_.avoidSelfIntersections &&
-									intersections_.newOnes(movers_, place, state_.positions());
+			const bool intersects =
+				descended && options_.avoidSelfIntersections && intersections_.newOnes(place);
 			if (descended && !intersects)
 				return true;
 			intersected |= intersects;
 		}
 		state_.moveTo(place, before);
 		if (options_.avoidSelfIntersections)
-			intersections_.update(movers_, place, state_.positions());
+			intersections_.update(place);
 		report_.refusedMoves += intersected;
 		return false;
 	}
 
 	void rekeyRound(int place) {
-		rekey(place);
-		for (const int copy : movers_.affected.of(place)) {
-			rekey(assembly_.placeOfCopy[copy]);
-			for (const int watcher : movers_.watchers.of(copy))
-				rekey(watcher);
-		}
-	}
-
-	void rekey(int place) {
-		if (!movers_.movable[place])
-			return;
-		report_.setAside -= !heap_.contains(place);
-		heap_.set(place, key(place));
+		mesh_.forEachAffected(place, [&](int copy) {
+			if (mesh_.copies[copy].movable)
+				rekey(mesh_.copies[copy].place);
+			if (mesh_.copies[copy].watched)
+				for (const int watcher : mesh_.watchers.at(copy))
+					rekey(watcher);
+		});
 	}
 
 	/// The way back to the lowest state is the list of moves since; at a new low it is empty.
@@ -183,11 +181,12 @@ private:
 		return text;
 	}
 
-	const PatchAssembly& assembly_;
 	const LocalMethodOptions& options_;
-	Movers movers_;
 	LocalState state_;
-	IndexedHeap heap_;
+	const LocalMesh& mesh_;
+	Tournament worst_;
+	LookAhead lookAhead_;
+	int movableCount_ = 0;
 	double limit_;
 	double smoothing_; // rad² / length²
 	SelfIntersections intersections_;

@@ -2,8 +2,7 @@
 // local_state.h: the shape during the local method: every place at a height δ along its original normal.
 #pragma once
 
-#include "../angle_defect.h"
-#include "movers.h"
+#include "local_mesh.h"
 
 namespace developable::detail {
 
@@ -11,101 +10,149 @@ namespace developable::detail {
 /// the corners of the triangles round the place and the sums at its copies and their neighbours.
 class LocalState {
 public:
-	LocalState(const PatchAssembly& assembly, const Positions& positions, const Movers& movers)
-		: assembly_(assembly), movers_(movers), start_(positions), positions_(positions),
-		  cotangents_(cornerCotangents(assembly, positions)), defects_(angleDefects(assembly, positions)),
-		  heights_(Eigen::VectorXd::Zero(assembly.placeCount())),
-		  detectFunction_(developable::detectFunction(defects_)) {}
+	LocalState(const PatchAssembly& assembly, const Positions& positions,
+			   AssemblingVertices assemblingVertices)
+		: mesh_(assembly, positions, assemblingVertices) {
+		for (int copy = 0; copy < mesh_.copyCount(); ++copy)
+			mesh_.copies[copy].defect = newDefect(copy);
+		detectFunction_ = developable::detectFunction(defects());
+	}
 
-	const Positions& positions() const { return positions_; }
-	const Eigen::VectorXd& defects() const { return defects_; }
+	const LocalMesh& mesh() const { return mesh_; }
 	double detectFunction() const { return detectFunction_; }
-	double height(int place) const { return heights_[place]; }
+	double height(int place) const { return mesh_.places[place].height; }
+	double squaredDefect(int copy) const { return mesh_.copies[copy].defect * mesh_.copies[copy].defect; }
+
+	/// Per copy of the assembly, rad.
+	Eigen::VectorXd defects() const {
+		Eigen::VectorXd defects(mesh_.copyCount());
+		for (int copy = 0; copy < mesh_.copyCount(); ++copy)
+			defects[mesh_.originalCopy[copy]] = mesh_.copies[copy].defect;
+		return defects;
+	}
+
+	/// 3 x places of the assembly.
+	Positions positions() const {
+		Positions positions(3, mesh_.placeCount());
+		for (int place = 0; place < mesh_.placeCount(); ++place)
+			positions.col(mesh_.originalPlace[place]) = mesh_.position(place);
+		return positions;
+	}
 
 	/// T = Σ g² over the copies at the place and their neighbours (Eq. 15).
 	double localDetectFunction(int place) const {
 		double sum = 0;
-		for (const int copy : movers_.affected.of(place))
-			sum += defects_[copy] * defects_[copy];
+		mesh_.forEachAffected(place, [&](int copy) { sum += squaredDefect(copy); });
 		return sum;
 	}
 
 	double largestSquaredDefect(int place) const {
 		double largest = 0;
-		for (const int copy : movers_.affected.of(place))
-			largest = std::max(largest, defects_[copy] * defects_[copy]);
+		mesh_.forEachAffected(place, [&](int copy) { largest = std::max(largest, squaredDefect(copy)); });
 		return largest;
 	}
 
 	/// T', the derivative of T when the place moves along its normal, in closed form.
 	double localDerivative(int place) const {
 		double derivative = 0;
-		for (const int index : movers_.corners.of(place)) {
-			const int triangle = index / 3, corner = index % 3;
-			const auto copies = assembly_.triangleCopies.col(triangle);
-			const Eigen::Vector3d weights(defects_[copies[0]], defects_[copies[1]], defects_[copies[2]]);
-			const AngleGradients gradients(frame(triangle));
-			derivative -= 2 * gradients.weighted(weights, corner).dot(movers_.normals.col(place));
-		}
+		forEachTriangle(place, [&](const Triangle& triangle) {
+			Eigen::Vector3d weights;
+			for (int i = 0; i < 3; ++i)
+				weights[i] = mesh_.copies[triangle.copy[i]].defect;
+			const AngleGradients gradients(triangle.frame(mesh_));
+			derivative -= 2 * gradients.weighted(weights, triangle.own).dot(mesh_.places[place].normal);
+		});
 		return derivative;
 	}
 
 	/// The mean square difference between the place's height and its neighbours', measured along its normal;
 	/// length².
 	double unevenness(int place) const {
-		double sum = 0;
-		for (const int copy : neighbours(place))
-			sum += std::pow(heights_[place] - heightAlong(place, copy), 2);
-		return sum / neighbours(place).size();
+		return meanOverNeighbours(place, [&](double difference) { return difference * difference; });
 	}
 
 	/// Its derivative when the place moves along its normal, length.
 	double unevennessDerivative(int place) const {
-		double sum = 0;
-		for (const int copy : neighbours(place))
-			sum += 2 * (heights_[place] - heightAlong(place, copy));
-		return sum / neighbours(place).size();
+		return meanOverNeighbours(place, [&](double difference) { return 2 * difference; });
 	}
 
 	/// Moves a place to a height along its normal.
 	void moveTo(int place, double height) {
-		heights_[place] = height;
-		positions_.col(place) = start_.col(place) + height * movers_.normals.col(place);
-		for (const int corner : movers_.corners.of(place))
-			cotangents_.col(corner / 3) = cotangents(frame(corner / 3));
-		for (const int copy : movers_.affected.of(place))
-			updateDefect(copy);
+		LocalMesh::Place& moved = mesh_.places[place];
+		moved.height = height;
+		mesh_.forEachOwn(
+			place, [&](int copy) { mesh_.copies[copy].position = moved.start + height * moved.normal; });
+		forEachTriangle(place, [&](const Triangle& triangle) {
+			const Eigen::Vector3d values = cotangents(triangle.frame(mesh_));
+			for (int i = 0; i < 3; ++i)
+				mesh_.cotangents[triangle.corner[i]] = values[i];
+		});
+		mesh_.forEachAffected(place, [&](int copy) {
+			const double before = squaredDefect(copy);
+			mesh_.copies[copy].defect = newDefect(copy);
+			detectFunction_ += squaredDefect(copy) - before;
+		});
 	}
 
 private:
-	ListRange neighbours(int place) const {
-		const ListRange copies = movers_.affected.of(place);
-		return {copies.first + movers_.own[place], copies.last};
+	/// A triangle, corner by corner in the assembly's order.
+	struct Triangle {
+		int own; ///< from which corner it is seen
+		int copy[3], corner[3];
+
+		Triangle(const LocalMesh& mesh, int ownCopy, int ownCorner) : own(mesh.corners[ownCorner].number) {
+			copy[own] = ownCopy;
+			corner[own] = ownCorner;
+			for (int other = 0; other < 2; ++other) {
+				const int number = (own + 1 + other) % 3;
+				copy[number] = mesh.corners[ownCorner].copy[other];
+				corner[number] = mesh.corners[ownCorner].corner[other];
+			}
+		}
+
+		TriangleFrame frame(const LocalMesh& mesh) const {
+			return {mesh.copies[copy[0]].position, mesh.copies[copy[1]].position,
+					mesh.copies[copy[2]].position};
+		}
+	};
+
+	/// Calls a function with each triangle round a place.
+	template <class Function>
+	void forEachTriangle(int place, const Function& function) const {
+		mesh_.forEachOwn(place, [&](int copy) {
+			const int end = mesh_.copies[copy + 1].firstCorner;
+			for (int corner = mesh_.copies[copy].firstCorner; corner < end; ++corner)
+				function(Triangle(mesh_, copy, corner));
+		});
 	}
 
-	double heightAlong(int place, int copy) const {
-		const int neighbour = assembly_.placeOfCopy[copy];
-		return heights_[neighbour] * movers_.normals.col(neighbour).dot(movers_.normals.col(place));
+	/// The mean of a function of the differences in height to the neighbours, measured along the place's
+	/// normal.
+	template <class Function>
+	double meanOverNeighbours(int place, const Function& function) const {
+		double sum = 0;
+		int count = 0;
+		mesh_.forEachNeighbour(place, [&](int copy) {
+			const LocalMesh::Place& neighbour = mesh_.places[mesh_.copies[copy].place];
+			const double along = neighbour.height * neighbour.normal.dot(mesh_.places[place].normal);
+			sum += function(height(place) - along);
+			++count;
+		});
+		return sum / count;
 	}
 
-	TriangleFrame frame(int triangle) const {
-		const auto places = assembly_.trianglePlaces.col(triangle);
-		return {positions_.col(places[0]), positions_.col(places[1]), positions_.col(places[2])};
+	/// The angle defect that follows from the cotangents.
+	double newDefect(int copy) const {
+		if (!mesh_.copies[copy].interior)
+			return 0;
+		AngleSum sum;
+		for (int corner = mesh_.copies[copy].firstCorner; corner < mesh_.copies[copy + 1].firstCorner;
+			 ++corner)
+			sum.add(mesh_.cotangents[corner]);
+		return sum.defect();
 	}
 
-	void updateDefect(int copy) {
-		if (!assembly_.copyInterior[copy])
-			return;
-		const double before = defects_[copy];
-		defects_[copy] = angleDefect(assembly_, cotangents_, copy);
-		detectFunction_ += defects_[copy] * defects_[copy] - before * before;
-	}
-
-	const PatchAssembly& assembly_;
-	const Movers& movers_;
-	Positions start_, positions_;
-	Eigen::Matrix3Xd cotangents_;
-	Eigen::VectorXd defects_, heights_;
+	LocalMesh mesh_;
 	double detectFunction_;
 };
 

@@ -2,7 +2,7 @@
 // self_intersections.h: whether a move of the local method makes the surface cut itself (Section 7).
 #pragma once
 
-#include "movers.h"
+#include "local_mesh.h"
 #include "triangle_intersection.h"
 
 #include <memory>
@@ -36,45 +36,50 @@ private:
 class SelfIntersections {
 public:
 	/// \param reach  how far a place may move from its start, length; 0: never asked
-	SelfIntersections(const PatchAssembly& assembly, const Positions& start, double reach)
-		: assembly_(assembly), start_(start) {
+	SelfIntersections(const LocalMesh& mesh, double reach) : mesh_(mesh) {
 		if (reach == 0)
 			return;
-		for (int t = 0; t < assembly.triangleCount(); ++t) {
-			boxes_.push_back(triangle(t, start).box);
+		triangles_.resize(mesh.triangles.size() / 3);
+		for (int place = 0; place < mesh.placeCount(); ++place)
+			mesh.forEachCorner(place, [&](int corner) {
+				triangles_[mesh.triangles[corner]][mesh.corners[corner].number] = place;
+			});
+		for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
+			boxes_.push_back(triangle(t).box);
 			swept_.emplace_back(t, boxes_.back(), reach);
 		}
 		grid_ = std::make_unique<Grid>();
 		grid_->Set(swept_.begin(), swept_.end());
-		marks_.assign(assembly.triangleCount(), -1);
-		candidates_.resize(assembly.placeCount());
+		marks_.assign(triangles_.size(), -1);
+		candidates_.resize(mesh.placeCount());
 	}
 
 	/// Takes note of a move. Whether a triangle at the place now cuts one that it did not cut at the start.
-	bool newOnes(const Movers& movers, int place, const Positions& positions) {
-		update(movers, place, positions);
+	bool newOnes(int place) {
+		update(place);
 		Eigen::AlignedBox3d around;
 		moved_.clear();
-		for (const int corner : movers.corners.of(place)) {
-			moved_.push_back(triangle(corner / 3, positions));
+		mesh_.forEachCorner(place, [&](int corner) {
+			moved_.push_back(triangle(mesh_.triangles[corner]));
 			around.extend(moved_.back().box);
-		}
-		for (const int other : candidates(movers, place)) {
+		});
+		for (const int other : candidates(place)) {
 			if (!around.intersects(boxes_[other]))
 				continue;
-			const PlacedTriangle candidate = triangle(other, positions);
+			const PlacedTriangle candidate = triangle(other);
 			for (int i = 0; i < static_cast<int>(moved_.size()); ++i)
 				if (intersect(moved_[i], candidate) &&
-					!intersectedAtStart(movers.corners.of(place).first[i] / 3, other))
+					!intersectedAtStart(mesh_.triangles[mesh_.places[place].firstCorner + i], other))
 					return true;
 		}
 		return false;
 	}
 
 	/// Takes note of a move.
-	void update(const Movers& movers, int place, const Positions& positions) {
-		for (const int corner : movers.corners.of(place))
-			boxes_[corner / 3] = triangle(corner / 3, positions).box;
+	void update(int place) {
+		mesh_.forEachCorner(place, [&](int corner) {
+			boxes_[mesh_.triangles[corner]] = triangle(mesh_.triangles[corner]).box;
+		});
 	}
 
 private:
@@ -89,23 +94,36 @@ private:
 		void Mark(const SweptTriangle* object) { marks[object->index()] = place; }
 	};
 
-	PlacedTriangle triangle(int index, const Positions& positions) const {
-		return {assembly_.trianglePlaces.col(index), positions};
+	Eigen::Vector3i placesOf(int index) const { return triangles_[index]; }
+
+	PlacedTriangle triangle(int index) const {
+		const Eigen::Vector3i places = placesOf(index);
+		Eigen::Matrix3d corners;
+		for (int corner = 0; corner < 3; ++corner)
+			corners.col(corner) = mesh_.position(places[corner]);
+		return {places, corners};
 	}
 
-	bool intersectedAtStart(int a, int b) const {
-		return intersect(triangle(a, start_), triangle(b, start_));
+	PlacedTriangle triangleAtStart(int index) const {
+		const Eigen::Vector3i places = placesOf(index);
+		Eigen::Matrix3d corners;
+		for (int corner = 0; corner < 3; ++corner)
+			corners.col(corner) = mesh_.places[places[corner]].start;
+		return {places, corners};
 	}
 
-	const std::vector<int>& candidates(const Movers& movers, int place) {
+	bool intersectedAtStart(int a, int b) const { return intersect(triangleAtStart(a), triangleAtStart(b)); }
+
+	const std::vector<int>& candidates(int place) {
 		std::vector<int>& list = candidates_[place];
 		if (!list.empty())
 			return list;
 		Marker marker{marks_, place};
 		std::vector<SweptTriangle*> near;
-		for (const int corner : movers.corners.of(place)) {
+		for (int corner = mesh_.places[place].firstCorner; corner < mesh_.places[place + 1].firstCorner;
+			 ++corner) {
 			vcg::Box3d box;
-			swept_[corner / 3].GetBBox(box);
+			swept_[mesh_.triangles[corner]].GetBBox(box);
 			grid_->GetInBox(marker, box, near);
 			for (const SweptTriangle* other : near)
 				list.push_back(other->index());
@@ -114,8 +132,8 @@ private:
 		return list;
 	}
 
-	const PatchAssembly& assembly_;
-	const Positions start_;
+	const LocalMesh& mesh_;
+	std::vector<Eigen::Vector3i> triangles_;
 	std::vector<Eigen::AlignedBox3d> boxes_; // of the triangles as they are now
 	std::vector<SweptTriangle> swept_;
 	std::unique_ptr<Grid> grid_;

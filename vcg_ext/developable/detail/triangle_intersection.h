@@ -18,9 +18,10 @@ struct PlacedTriangle {
 	Eigen::Vector3d normal;
 	Eigen::AlignedBox3d box;
 
-	PlacedTriangle(const Eigen::Vector3i& at, const Positions& positions) : places(at) {
-		for (int corner = 0; corner < 3; ++corner)
-			corners.col(corner) = positions.col(at[corner]);
+	PlacedTriangle(const Eigen::Vector3i& at, const Positions& positions)
+		: PlacedTriangle(at, Eigen::Matrix3d(positions(Eigen::all, at))) {}
+
+	PlacedTriangle(const Eigen::Vector3i& at, const Eigen::Matrix3d& points) : places(at), corners(points) {
 		normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
 		box = {corners.rowwise().minCoeff(), corners.rowwise().maxCoeff()};
 	}
