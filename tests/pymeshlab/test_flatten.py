@@ -2,6 +2,7 @@
 """Flatten Patches: the patterns it adds and what it returns, against lengths measured apart."""
 
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import mlx_scripts
 import numpy as np
@@ -11,6 +12,7 @@ from mesh_sets import GLOBAL, Length, attribute_of, mesh_set, positions_of, qual
 from shapes import bump, cylinder, grid, octahedron, two_bumps
 
 FLATTEN = "generate_flat_patches"
+MODELS = Path(__file__).parents[2] / "meshes"
 
 
 def flattened(*meshes, **values):
@@ -91,6 +93,28 @@ def test_global_developability_takes_the_strain_away():
     meshes = mesh_set(bump())
     assert meshes.apply_filter(GLOBAL)["converged"]
     assert meshes.apply_filter(FLATTEN)["max_edge_strain"] < 1e-4
+
+
+def test_the_papers_first_figure():
+    """The undented shell has no elastic energy, the dented has much; once developable it has none again."""
+    energies = {}
+    for name in ("sheet_bent", "dented_shell"):
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(str(MODELS / f"{name}.ply"))
+        energies[name] = meshes.apply_filter(FLATTEN, map="Elastic energy")["elastic_energy"]
+    meshes.set_current_mesh(0)
+    on_model, positions = quality_of(meshes), positions_of(meshes)
+    assert on_model.sum() == pytest.approx(energies["dented_shell"])
+    undented = pymeshlab.MeshSet()
+    undented.load_new_mesh(str(MODELS / "sheet_bent.ply"))
+    dent = np.linalg.norm(positions - positions_of(undented), axis=1)
+    inside = dent > 0.1 * dent.max()
+    assert on_model[inside].mean() > 3 * on_model[~inside].mean()
+    assert meshes.apply_filter(GLOBAL)["converged"]
+    energies["developable"] = meshes.apply_filter(FLATTEN)["elastic_energy"]
+    assert energies["sheet_bent"] < 1e-12 * energies["dented_shell"]
+    assert energies["developable"] < 1e-8 * energies["dented_shell"]
+    assert energies["dented_shell"] > 0.1
 
 
 @pytest.mark.parametrize("chosen", ["Edge strain", "Elastic energy"])
