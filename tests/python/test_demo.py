@@ -17,6 +17,7 @@ import reference_measures as reference
 from meshlab_developable.demo.__main__ import METHODS, demo_inputs, run
 from meshlab_developable.demo.document import flatness, verdict
 from meshlab_developable.demo.study import Input
+from pattern_readers import read_dxf_blocks
 
 PANTS = Path(__file__).parents[2] / "meshes" / "short_pants.obj"
 
@@ -85,6 +86,15 @@ def test_a_developable_result_is_laid_flat_without_strain(study):
     )
     assert flat == pytest.approx(bent, rel=1e-3, abs=1e-4)
     assert newton.pattern.report.max_edge_strain < 1e-4 < study.pattern.report.max_edge_strain
+
+
+def test_the_flat_result_is_there_to_print_and_cut(study, folder):
+    files = study.outcomes[0].pattern.to_cut
+    assert {file.suffix for file in files} == {".svg", ".pdf", ".dxf", ".json"}
+    assert all(file.parent == folder for file in files)
+    assert len(read_dxf_blocks(next(file for file in files if file.suffix == ".dxf"))) == 4
+    text = (folder / "report.txt").read_text(encoding="utf-8")
+    assert all(file.name in text for file in files)
 
 
 def test_histogram_counts_interior_vertices(study):

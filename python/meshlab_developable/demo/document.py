@@ -132,7 +132,9 @@ def write_text(file: Path, studies: Sequence[Study]) -> None:
             lines += [f"  {what:38}{value}" for what, value in cost(study, outcome)]
             lines += [f"  {'result':38}{outcome.file.name}"]
             if outcome.pattern:
-                lines += [f"  {'flat pattern':38}{outcome.pattern.file.name}", flatness(outcome.pattern)]
+                lines += [f"  {'flat pattern':38}{outcome.pattern.file.name}"]
+                lines += [f"  {'to print, cut and sew':38}{file.name}" for file in outcome.pattern.to_cut]
+                lines += [flatness(outcome.pattern)]
             lines += [""]
     file.write_text("\n".join(lines), encoding="utf-8")
 

@@ -11,6 +11,9 @@ from typing import Any
 import numpy as np
 import pymeshlab
 
+from meshlab_developable.errors import PatternError
+from meshlab_developable.flattening import FlatteningResult, flattened_layer
+from meshlab_developable.patterns import UNITS, PatternOptions, write_patterns
 from meshlab_developable.plugin import vertex_quality
 from meshlab_developable.rendering import Array, IndexArray, Picture, View, render, robust_scale
 from meshlab_developable.reports import Measures, OptimizationReport, PatternReport
@@ -63,6 +66,7 @@ class Pattern:
     faces: IndexArray
     edge_strain: Array  # the largest at each vertex
     file: Path
+    to_cut: Sequence[Path] = ()  # the same as SVG, PDF and DXF
 
 
 @dataclasses.dataclass(frozen=True)
@@ -161,7 +165,7 @@ def study(
     pattern = None
     if any(outcome.pattern for outcome in outcomes):
         meshes.set_current_mesh(0)
-        pattern = _flatten(meshes, folder / f"{source.name}_before_pattern.ply")
+        pattern, _ = _flatten(meshes, folder / f"{source.name}_before_pattern.ply")
         figures.append(_pattern_figure(source, pattern, outcomes, folder))
     measures = Measures.from_values(values)
     return Study(source, angle_tolerance, vertices, faces, measures, maps, outcomes, figures, pattern)
@@ -186,16 +190,26 @@ def _try(
     _save(meshes, file)
     pattern = None
     if method.flatten and report.converged:
-        pattern = _flatten(meshes, folder / f"{source.name}_{method.name}_pattern.ply")
+        pattern, flat = _flatten(meshes, folder / f"{source.name}_{method.name}_pattern.ply")
+        pattern = dataclasses.replace(pattern, to_cut=_write_to_cut(flat, source, pattern.file))
     return Outcome(method, report, vertices, maps, file, pattern)
 
 
-def _flatten(meshes: Any, file: Path) -> Pattern:
+def _flatten(meshes: Any, file: Path) -> tuple[Pattern, FlatteningResult]:
     """Lay the current mesh flat; the pattern is the current layer afterwards."""
-    report = PatternReport.from_values(meshes.apply_filter("generate_flat_patches", map="Edge strain"))
-    mesh = meshes.current_mesh()
+    flat = flattened_layer(meshes, {"map": "Edge strain"})
+    vertices = meshes.current_mesh().vertex_matrix()
     _save(meshes, file)
-    return Pattern(report, mesh.vertex_matrix(), mesh.face_matrix(), vertex_quality(mesh), file)
+    return Pattern(flat.report, vertices, flat.faces, flat.quality, file), flat
+
+
+def _write_to_cut(flat: FlatteningResult, source: Input, file: Path) -> Sequence[Path]:
+    """The pieces as files to print and cut, unless one of them overlaps itself."""
+    unit = source.unit if source.unit in UNITS else "mm"
+    try:
+        return write_patterns(flat, file.parent, file.stem, PatternOptions(unit=unit)).files
+    except PatternError:
+        return ()
 
 
 def _maps(meshes: Any, kinds: Sequence[MapKind], angle_tolerance: float) -> dict[str, Array]:
