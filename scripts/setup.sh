@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # setup.sh [TARGET...]: installs what is missing and builds the targets, all of them when none is named.
 # A target is a host, whose plugin becomes build/HOST/libfilter_developable.so, or `tests`, the C++ unit tests.
+# Another target, wheel, is the plugin for python/hatch_build.py, which names its host's library.
 # A second run finds everything in place and ends in seconds.
 
 . "$(dirname "$0")/lib/common.sh"
 . "$root/scripts/lib/packages.sh"
+. "$root/scripts/lib/debian_source.sh"
 . "$root/scripts/lib/headers.sh"
+. "$root/scripts/lib/cholmod.sh"
 . "$root/scripts/lib/python.sh"
 
 all_targets=(meshlab-2020.09 pymeshlab-2022.2 pymeshlab-2025.7 meshlab-2025.07 tests)
@@ -14,8 +17,10 @@ all_targets=(meshlab-2020.09 pymeshlab-2022.2 pymeshlab-2025.7 meshlab-2025.07 t
 build_packages=(g++ cmake ninja-build libeigen3-dev libcgal-dev qtbase5-dev libqt5opengl5-dev libgl-dev libglew-dev)
 # What the stock programs and the wheels expect of a desktop.
 run_packages=(libgl1 libglu1-mesa libegl1 libopengl0 libxrender1 libxcursor1 libfontconfig1)
+# Of the tests of windows and of pages.
+test_packages=(libgtest-dev xvfb openbox xdotool chromium chromium-driver)
 
-# provide_host TARGET: packages, Python environment and headers
+# provide_host TARGET: packages, Python environment, headers and CHOLMOD
 provide_host() {
 	case $1 in
 	meshlab-2020.09)
@@ -36,14 +41,19 @@ provide_host() {
 		install_packages "${build_packages[@]}"
 		provide_headers 2025.07
 		;;
+	wheel)
+		install_packages "${build_packages[@]}" "${run_packages[@]}"
+		provide_headers 2025.07
+		;;
 	tests)
-		install_packages "${build_packages[@]}" libgtest-dev
+		install_packages "${build_packages[@]}" "${test_packages[@]}"
 		provide_headers 2025.07
 		;;
 	*)
 		fail "'$1' is no target; the targets are: ${all_targets[*]}"
 		;;
 	esac
+	provide_cholmod
 }
 
 configure() { (cd "$root" && cmake --preset "$1" >"$build_root/$1.log") || fail "configuring $1 failed"; }
@@ -51,7 +61,7 @@ configure() { (cd "$root" && cmake --preset "$1" >"$build_root/$1.log") || fail 
 # build TARGET: Ninja itself sees what is out of date
 build() {
 	mkdir -p "$build_root"
-	once "$build_root/$1/.configured" "$(checksum "$root/CMakePresets.json") $root" configure "$1"
+	once "$build_root/$1/.configured" "$(checksum "$root/CMakePresets.json") $root ${DEVELOPABLE_HOST_LIBRARY:-}" configure "$1"
 	say "building $1"
 	cmake --build "$build_root/$1" -j "$(nproc)" -- --quiet 2>&1 | sed '/^ninja: no work to do/d; /^-- /d'
 }

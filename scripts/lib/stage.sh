@@ -20,12 +20,17 @@ make_stage() {
 	ln -s "$build_root/meshlab-2020.09/libfilter_developable.so" "$folder/plugins/"
 }
 
+# provide_stage: sets up what is missing of it
+provide_stage() {
+	bash "$root/scripts/setup.sh" meshlab-2020.09 >&2
+	once "$stage/.complete" "$(dpkg-query -W -f '${Version}' meshlab) $root" make_stage
+}
+
 # run_staged PROGRAM [ARGS]: sets up what is missing and becomes the program, on a virtual display where it has to
 run_staged() {
 	local program=$1
 	shift
-	bash "$root/scripts/setup.sh" meshlab-2020.09 >&2
-	once "$stage/.complete" "$(dpkg-query -W -f '${Version}' meshlab) $root" make_stage
+	provide_stage
 	if [[ $program == meshlabserver && -z ${DISPLAY:-} ]]; then
 		exec xvfb-run -a "$stage/bin/$program" "$@"
 	fi

@@ -36,7 +36,9 @@ MeshFilterInterface::FilterClass FilterDevelopable::getClass(QAction* action) {
 }
 
 MeshFilterInterface::FILTER_ARITY FilterDevelopable::filterArity(QAction*) const {
-	return SINGLE_MESH;
+	// With SINGLE_MESH the window offers a preview, and when that is cancelled it restores what it knows of:
+	// neither custom attributes nor layers that were added.
+	return VARIABLE;
 }
 
 int FilterDevelopable::postCondition(QAction* action) const {

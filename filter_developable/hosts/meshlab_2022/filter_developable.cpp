@@ -44,7 +44,9 @@ FilterPlugin::FilterClass FilterDevelopable::getClass(const QAction* action) con
 }
 
 FilterPlugin::FilterArity FilterDevelopable::filterArity(const QAction*) const {
-	return SINGLE_MESH;
+	// With SINGLE_MESH the window offers a preview, and when that is cancelled it restores what it knows of:
+	// neither custom attributes nor layers that were added.
+	return VARIABLE;
 }
 
 int FilterDevelopable::postCondition(const QAction* action) const {

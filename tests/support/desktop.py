@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A virtual desktop with a window manager, and programs' windows on it driven by keys and clicks.
+
+Xvfb keeps the screen in a file (XWD, X11's window dump), openbox manages windows, xdotool presses keys.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import struct
+import subprocess
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+from PIL import Image
+
+SIZE = 1280, 900
+PATIENCE = 120  # seconds; a busy machine draws slowly
+
+Result = TypeVar("Result")
+
+
+def wait_for(what: str, look: Callable[[], Result]) -> Result:
+    """What `look` returns once that is true."""
+    end = time.monotonic() + PATIENCE
+    while not (found := look()):
+        assert time.monotonic() < end, f"waited in vain for {what}"
+        time.sleep(0.1)
+    return found
+
+
+class Window:
+    """A window on a desktop."""
+
+    def __init__(self, desktop: Desktop, number: str):
+        self.desktop, self.number = desktop, number
+
+    @property
+    def place(self) -> tuple[int, int, int, int]:
+        """Left, top, width and height on the screen, pixels."""
+        text = self.desktop.xdotool("getwindowgeometry", "--shell", self.number)
+        values = dict(line.split("=") for line in text.split())
+        left, top, width, height = (int(values[key]) for key in ("X", "Y", "WIDTH", "HEIGHT"))
+        return left, top, width, height
+
+    def keys(self, *names: str) -> None:
+        """Press keys one after the other."""
+        self.desktop.xdotool("windowfocus", "--sync", self.number)
+        for name in names:
+            self.desktop.xdotool("key", name)
+            time.sleep(0.1)
+
+    def write(self, text: str) -> None:
+        """Type a text."""
+        self.desktop.xdotool("type", "--delay", "60", text)
+
+    def click(self, across: float, above_bottom: int) -> None:
+        """Click at a share of the width, so many pixels above the bottom."""
+        left, top, width, height = self.place
+        x, y = left + round(across * width), top + height - above_bottom
+        self.desktop.xdotool("mousemove", "--sync", str(x), str(y), "click", "1")
+
+    def picture(self) -> np.ndarray:
+        """What shows of it."""
+        left, top, width, height = self.place
+        return self.desktop.screen()[max(top, 0) : top + height, max(left, 0) : left + width]
+
+
+class Desktop:
+    """Started by `with`; everything on it ends with it."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.processes: list[subprocess.Popen[bytes]] = []
+        self.environment = dict(os.environ)
+
+    def __enter__(self) -> Desktop:
+        width, height = SIZE
+        read, write = os.pipe()
+        screen = ["-screen", "0", f"{width}x{height}x24", "-fbdir", str(self.folder), "-nolisten", "tcp"]
+        self._start(["Xvfb", "-displayfd", str(write), *screen], pass_fds=(write,))
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
+        assert number, "Xvfb did not start"
+        self.environment |= {
+            "DISPLAY": f":{number}",
+            "HOME": str(self.folder),  # programs begin as on their first day
+            "XDG_RUNTIME_DIR": str(self.folder),
+            "LIBGL_ALWAYS_SOFTWARE": "1",
+        }
+        self._start(["openbox"])
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for process in reversed(self.processes):
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+
+    def _start(self, command: Sequence[str], **options: object) -> None:
+        with (self.folder / f"{Path(command[0]).name}.log").open("wb") as log:
+            self.processes.append(
+                subprocess.Popen(  # type: ignore[call-overload]
+                    command,
+                    stdout=log,
+                    stderr=log,
+                    env=self.environment,
+                    start_new_session=True,
+                    **options,
+                )
+            )
+
+    def run(self, *command: str) -> None:
+        """Start a program; what it prints is in the folder, in a file named after it."""
+        self._start(command)
+
+    def printed(self, program: str) -> str:
+        """What a program has printed so far."""
+        return (self.folder / f"{program}.log").read_text(errors="replace")
+
+    def xdotool(self, *arguments: str) -> str:
+        """What xdotool prints."""
+        return subprocess.run(
+            ["xdotool", *arguments], env=self.environment, capture_output=True, text=True, check=False
+        ).stdout
+
+    def windows(self, title: str) -> list[Window]:
+        """The visible windows with such a title."""
+        pattern = f"^{re.escape(title)}"
+        return [
+            Window(self, number)
+            for number in self.xdotool("search", "--onlyvisible", "--name", pattern).split()
+        ]
+
+    def window(self, title: str) -> Window:
+        """The window whose title begins so, as soon as there is one."""
+        return wait_for(f"the window {title}", lambda: self.windows(title))[-1]
+
+    def screen(self) -> np.ndarray:
+        """The whole screen, height x width x 3 bytes."""
+        data = (self.folder / "Xvfb_screen0").read_bytes()
+        header = struct.unpack(">25I", data[:100])
+        width, height, row, colours = header[4], header[5], header[12], header[19]
+        begin = header[0] + 12 * colours
+        rows = np.frombuffer(data, np.uint8, row * height, begin).reshape(height, row)
+        return rows[:, : 4 * width].reshape(height, width, 4)[:, :, 2::-1].copy()
+
+    def still(self) -> np.ndarray:
+        """The screen once it has not changed for half a second."""
+
+        def look() -> list[np.ndarray]:
+            before = self.screen()
+            time.sleep(0.5)
+            after = self.screen()
+            return [after] if np.array_equal(before, after) else []
+
+        return wait_for("a still screen", look)[0]
+
+
+def keep(picture: np.ndarray, file: Path) -> None:
+    """Save a picture for people to look at."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    Image.fromarray(picture).save(file)
