@@ -41,6 +41,21 @@ public:
 #endif
 	}
 
+	/// Whether the host's window offers a preview of it: for what changes one mesh and no connectivity.
+	bool hasPreview(const QString& filter) {
+		const auto changed = unsigned(plugin_->postCondition(action(filter)));
+		const unsigned connectivity = MeshModel::MM_VERTNUMBER | MeshModel::MM_FACENUMBER;
+		return plugin_->filterArity(action(filter)) == plugin::host::Interface::SINGLE_MESH &&
+			   (changed & connectivity) == 0;
+	}
+
+	QStringList filters() const {
+		QStringList names;
+		for (const QAction* action : plugin_->actions())
+			names.push_back(action->text());
+		return names;
+	}
+
 	/// Calls a filter as the host does.
 	Outcome apply(const QString& filter, MeshDocument& document, const RichParameterList& parameters,
 				  vcg::CallBackPos* callback) {

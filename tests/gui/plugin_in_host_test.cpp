@@ -59,6 +59,14 @@ public:
 private slots:
 	void initTestCase() { QVERIFY2(plugin_.whyNot().isEmpty(), qUtf8Printable(plugin_.whyNot())); }
 
+	void noPreviewThatTheHostCouldNotCancel() {
+		// Its undo leaves custom attributes and new layers, and every filter but one makes some of these.
+		const QStringList filters = plugin_.filters();
+		QVERIFY(filters.size() >= 4);
+		for (const QString& filter : filters)
+			QVERIFY2(!plugin_.hasPreview(filter), qUtf8Printable(filter));
+	}
+
 	void init() { record = CallbackRecord(); }
 
 	void aStopLeavesTheLayerAsItWas_data() { bothFiltersAndTwoStops(); }
