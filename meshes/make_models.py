@@ -9,6 +9,7 @@
 | dented_shell | Example I: the same sheet, vertex by vertex, dented by a smooth bump            |
 | shoe_upper   | Example II: the upper of a shoe, one layer, open at the sole, the top, the heel |
 | short_pants  | Example III: short pants, four panels whose seams coincide, one T-junction      |
+| hull_panel   | not in the paper: a panel of a dinghy, from the side of Wigley's hull           |
 
 Each comes as OBJ, with the panels' names, and as PLY: MeshLab 2020.09 as Debian builds it stops at every OBJ.
 One unit is a centimetre. Needs NumPy only. The same bytes come out of every run.
@@ -21,6 +22,7 @@ from pathlib import Path
 
 import numpy as np
 from bent_sheet import dented_shell, sheet_bent
+from hull_panel import hull_panel
 from shapes import Panels
 from shoe_upper import shoe_upper
 from short_pants import short_pants
@@ -30,6 +32,7 @@ MODELS = {
     "dented_shell": dented_shell,
     "shoe_upper": shoe_upper,
     "short_pants": short_pants,
+    "hull_panel": hull_panel,
 }
 
 

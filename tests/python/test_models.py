@@ -14,7 +14,7 @@ import reference_measures as reference
 
 MESHES = Path(__file__).parents[2] / "meshes"
 CURVED = ["dented_shell", "shoe_upper", "short_pants"]
-ALL = ["sheet_bent", *CURVED]
+ALL = ["sheet_bent", *CURVED, "hull_panel"]
 
 
 @pytest.fixture(params=ALL)
@@ -68,7 +68,12 @@ def test_panels_are_consistently_oriented_disks(model):
 
 
 def test_normals_point_outward():
-    inside = {"sheet_bent": [0, 9, 0], "shoe_upper": [20, 1, 2], "short_pants": [0, 0, 13]}
+    inside = {
+        "sheet_bent": [0, 9, 0],
+        "shoe_upper": [20, 1, 2],
+        "short_pants": [0, 0, 13],
+        "hull_panel": [100, 0, -10],
+    }
     for name, point in inside.items():
         positions, triangles, _ = reference.read_obj(MESHES / f"{name}.obj")
         a, b, c = (positions[triangles[:, i]] for i in range(3))
@@ -105,6 +110,16 @@ def test_shoe_is_strongly_doubly_curved_at_the_toe():
 def test_shoe_is_not_linked_to_itself():
     positions, _, _ = reference.read_obj(MESHES / "shoe_upper.obj")
     assert len(np.unique(positions, axis=0)) == len(positions)
+
+
+def test_hull_panel_lies_on_wigleys_hull_and_is_curved_though_no_angle_defect_is_large():
+    positions, triangles, names = reference.read_obj(MESHES / "hull_panel.obj")
+    assert set(names) == {"panel"}
+    x, y, z = positions.T
+    np.testing.assert_allclose(-y, 75 * (1 - (x / 200) ** 2) * (1 - (z / 60) ** 2), atol=1e-7)
+    assert np.ptp(x) == pytest.approx(188)
+    assert reference.developability(positions, triangles, 0.01) == 1
+    assert np.abs(reference.angle_defects(positions, triangles)).sum() > 0.4
 
 
 @pytest.fixture
