@@ -335,11 +335,15 @@ TEST(LocalMethod, MovesSeamsWhenTheyMayMoveTogether) {
 	EXPECT_LT(measured(assembly, together).detectFunction, 0.8 * measured(assembly, fixed).detectFunction);
 }
 
+detail::PlacedTriangle placed(const Eigen::Vector3i& places, const Positions& positions) {
+	return {places, positions(Eigen::all, places)};
+}
+
 /// How many pairs of triangles cut each other.
 int countIntersections(const PatchAssembly& assembly, const Positions& positions) {
 	std::vector<detail::PlacedTriangle> triangles;
 	for (const auto& places : assembly.trianglePlaces.colwise())
-		triangles.emplace_back(places, positions);
+		triangles.push_back(placed(places, positions));
 	int count = 0;
 	for (std::size_t a = 0; a < triangles.size(); ++a)
 		for (std::size_t b = 0; b < a; ++b)
@@ -371,9 +375,7 @@ TEST(LocalMethod, AvoidsSelfIntersectionsWhereThePapersMovesMakeThem) {
 TEST(TriangleIntersection, KnowsDisjointCrossingAndJoinedTriangles) {
 	Positions positions(3, 7);
 	positions << 0, 1, 0, 0.2, 0.2, 0.2, 0.5, /**/ 0, 0, 1, 0.2, 0.2, 0.9, 0.5, /**/ 0, 0, 0, -1, 1, 1, -0.5;
-	const auto triangle = [&](int a, int b, int c) {
-		return detail::PlacedTriangle(Eigen::Vector3i(a, b, c), positions);
-	};
+	const auto triangle = [&](int a, int b, int c) { return placed({a, b, c}, positions); };
 	EXPECT_TRUE(detail::intersect(triangle(0, 1, 2), triangle(3, 4, 5)));  // pierced by an edge
 	EXPECT_FALSE(detail::intersect(triangle(0, 1, 2), triangle(0, 1, 4))); // joined along an edge
 	EXPECT_FALSE(detail::intersect(triangle(0, 1, 2), triangle(0, 4, 5))); // joined at a vertex, above

@@ -5,52 +5,30 @@
 #include "local_mesh.h"
 #include "triangle_intersection.h"
 
-#include <memory>
-#include <vcg/space/index/grid_static_ptr.h>
+#include <unsupported/Eigen/BVH>
 
 namespace developable::detail {
 
-/// The box that a triangle can't leave, with the members that vcglib's grid asks of what it holds.
-class SweptTriangle {
-public:
-	using ScalarType = double;
-
-	/// \param reach  how far its corners may move, length
-	SweptTriangle(int index, const Eigen::AlignedBox3d& box, double reach) : index_(index) {
-		const Eigen::Vector3d low = box.min().array() - reach, high = box.max().array() + reach;
-		box_ = vcg::Box3d({low[0], low[1], low[2]}, {high[0], high[1], high[2]});
-	}
-
-	int index() const { return index_; }
-	void GetBBox(vcg::Box3d& box) const { box = box_; }
-	bool IsD() const { return false; }
-
-private:
-	int index_;
-	vcg::Box3d box_;
-};
-
-/// Finds the triangles that those round a moved place cut. Heights are bounded, so every triangle stays
-/// within a box and whom a place's triangles can ever meet is settled before the first move; each list is
-/// made when it is first asked for.
+/// Finds the triangles that those round a moved place cut. Heights are bounded, so whom a place's triangles
+/// can ever meet is settled before the first move; each list is made when it is first asked for.
 class SelfIntersections {
 public:
 	/// \param reach  how far a place may move from its start, length; 0: never asked
-	SelfIntersections(const LocalMesh& mesh, double reach) : mesh_(mesh) {
+	SelfIntersections(const LocalMesh& mesh, double reach) : mesh_(mesh), reach_(reach) {
 		if (reach == 0)
 			return;
-		triangles_.resize(mesh.triangles.size() / 3);
-		for (int place = 0; place < mesh.placeCount(); ++place)
-			mesh.forEachCorner(place, [&](int corner) {
-				triangles_[mesh.triangles[corner]][mesh.corners[corner].number] = place;
-			});
-		for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
+		copies_.resize(3, mesh.triangles.size() / 3);
+		for (int copy = 0; copy < mesh.copyCount(); ++copy)
+			for (int i = mesh.copies[copy].firstCorner; i < mesh.copies[copy + 1].firstCorner; ++i)
+				copies_(mesh.corners[i].number, mesh.triangles[i]) = copy;
+		std::vector<int> numbers;
+		std::vector<Eigen::AlignedBox3d> swept;
+		for (int t = 0; t < copies_.cols(); ++t) {
+			numbers.push_back(t);
 			boxes_.push_back(triangle(t).box);
-			swept_.emplace_back(t, boxes_.back(), reach);
+			swept.push_back(sweptBox(t));
 		}
-		grid_ = std::make_unique<Grid>();
-		grid_->Set(swept_.begin(), swept_.end());
-		marks_.assign(triangles_.size(), -1);
+		tree_.init(numbers.begin(), numbers.end(), swept.begin(), swept.end());
 		candidates_.resize(mesh.placeCount());
 	}
 
@@ -58,18 +36,19 @@ public:
 	bool newOnes(int place) {
 		update(place);
 		Eigen::AlignedBox3d around;
-		moved_.clear();
-		mesh_.forEachCorner(place, [&](int corner) {
-			moved_.push_back(triangle(mesh_.triangles[corner]));
-			around.extend(moved_.back().box);
-		});
+		for (const PlacedTriangle& triangle : moved_)
+			around.extend(triangle.box);
+		const int* own = &mesh_.triangles[mesh_.places[place].firstCorner];
+		for (std::size_t i = 0; i < moved_.size(); ++i)
+			for (std::size_t j = 0; j < i; ++j)
+				if (intersect(moved_[i], moved_[j]) && !intersectedAtStart(own[i], own[j]))
+					return true;
 		for (const int other : candidates(place)) {
 			if (!around.intersects(boxes_[other]))
 				continue;
 			const PlacedTriangle candidate = triangle(other);
-			for (int i = 0; i < static_cast<int>(moved_.size()); ++i)
-				if (intersect(moved_[i], candidate) &&
-					!intersectedAtStart(mesh_.triangles[mesh_.places[place].firstCorner + i], other))
+			for (std::size_t i = 0; i < moved_.size(); ++i)
+				if (intersect(moved_[i], candidate) && !intersectedAtStart(own[i], other))
 					return true;
 		}
 		return false;
@@ -77,70 +56,75 @@ public:
 
 	/// Takes note of a move.
 	void update(int place) {
+		moved_.clear();
 		mesh_.forEachCorner(place, [&](int corner) {
-			boxes_[mesh_.triangles[corner]] = triangle(mesh_.triangles[corner]).box;
+			moved_.push_back(triangle(mesh_.triangles[corner]));
+			boxes_[mesh_.triangles[corner]] = moved_.back().box;
 		});
 	}
 
 private:
-	using Grid = vcg::GridStaticPtr<SweptTriangle, double>;
+	PlacedTriangle triangle(int index, bool atStart = false) const {
+		Eigen::Vector3i places;
+		Eigen::Matrix3d corners;
+		for (int corner = 0; corner < 3; ++corner) {
+			const LocalMesh::Copy& copy = mesh_.copies[copies_(corner, index)];
+			places[corner] = copy.place;
+			corners.col(corner) = atStart ? mesh_.places[copy.place].start : copy.position;
+		}
+		return {places, corners};
+	}
 
-	/// Against finding an object twice in the cells that it shares: the last place that found it.
-	struct Marker {
-		std::vector<int>& marks;
-		int place;
-		void UnMarkAll() {}
-		bool IsMarked(const SweptTriangle* object) const { return marks[object->index()] == place; }
-		void Mark(const SweptTriangle* object) { marks[object->index()] = place; }
+	/// The box that a triangle cannot leave, for its corners move along their normals and not far.
+	Eigen::AlignedBox3d sweptBox(int index) const {
+		Eigen::AlignedBox3d box;
+		for (const int copy : copies_.col(index)) {
+			const LocalMesh::Place& place = mesh_.places[mesh_.copies[copy].place];
+			const double reach = mesh_.copies[copy].movable ? reach_ : 0;
+			box.extend(place.start - reach * place.normal);
+			box.extend(place.start + reach * place.normal);
+		}
+		return box;
+	}
+
+	bool intersectedAtStart(int a, int b) const { return intersect(triangle(a, true), triangle(b, true)); }
+
+	/// What Eigen's search in a tree of boxes asks: collects the triangles that come near a box.
+	struct Collector {
+		const SelfIntersections& all;
+		const Eigen::AlignedBox3d& near;
+		std::vector<int>& found;
+
+		bool intersectVolume(const Eigen::AlignedBox3d& box) const { return near.intersects(box); }
+		bool intersectObject(int triangle) const {
+			if (near.intersects(all.sweptBox(triangle)))
+				found.push_back(triangle);
+			return false; // go on
+		}
 	};
 
-	Eigen::Vector3i placesOf(int index) const { return triangles_[index]; }
-
-	PlacedTriangle triangle(int index) const {
-		const Eigen::Vector3i places = placesOf(index);
-		Eigen::Matrix3d corners;
-		for (int corner = 0; corner < 3; ++corner)
-			corners.col(corner) = mesh_.position(places[corner]);
-		return {places, corners};
-	}
-
-	PlacedTriangle triangleAtStart(int index) const {
-		const Eigen::Vector3i places = placesOf(index);
-		Eigen::Matrix3d corners;
-		for (int corner = 0; corner < 3; ++corner)
-			corners.col(corner) = mesh_.places[places[corner]].start;
-		return {places, corners};
-	}
-
-	bool intersectedAtStart(int a, int b) const { return intersect(triangleAtStart(a), triangleAtStart(b)); }
-
+	/// The triangles that those at a place may ever meet, without its own.
 	const std::vector<int>& candidates(int place) {
 		std::vector<int>& list = candidates_[place];
 		if (!list.empty())
 			return list;
-		Marker marker{marks_, place};
-		std::vector<SweptTriangle*> near;
-		for (int corner = mesh_.places[place].firstCorner; corner < mesh_.places[place + 1].firstCorner;
-			 ++corner) {
-			vcg::Box3d box;
-			swept_[mesh_.triangles[corner]].GetBBox(box);
-			grid_->GetInBox(marker, box, near);
-			for (const SweptTriangle* other : near)
-				list.push_back(other->index());
-		}
-		std::sort(list.begin(), list.end());
+		Eigen::AlignedBox3d near;
+		mesh_.forEachCorner(place, [&](int i) { near.extend(sweptBox(mesh_.triangles[i])); });
+		Collector collector{*this, near, list};
+		Eigen::BVIntersect(tree_, collector);
+		mesh_.forEachCorner(place, [&](int i) {
+			list.erase(std::remove(list.begin(), list.end(), mesh_.triangles[i]), list.end());
+		});
 		return list;
 	}
 
 	const LocalMesh& mesh_;
-	std::vector<Eigen::Vector3i> triangles_;
-	std::vector<Eigen::AlignedBox3d> boxes_; // of the triangles as they are now
-	std::vector<SweptTriangle> swept_;
-	std::unique_ptr<Grid> grid_;
-	std::vector<PlacedTriangle> moved_; // scratch
-	std::vector<int> marks_;
-	std::vector<std::vector<int>>
-		candidates_; // per place; never empty once made, for it holds its own triangles
+	const double reach_;
+	Eigen::Matrix3Xi copies_;                  // of the triangles
+	std::vector<Eigen::AlignedBox3d> boxes_;   // of the triangles as they are now
+	Eigen::KdBVH<double, 3, int> tree_;        // of all that they can sweep
+	std::vector<PlacedTriangle> moved_;        // those at the place that moved last
+	std::vector<std::vector<int>> candidates_; // per place, made when first asked for
 };
 
 } // namespace developable::detail

@@ -18,12 +18,25 @@ struct PlacedTriangle {
 	Eigen::Vector3d normal;
 	Eigen::AlignedBox3d box;
 
-	PlacedTriangle(const Eigen::Vector3i& at, const Positions& positions)
-		: PlacedTriangle(at, Eigen::Matrix3d(positions(Eigen::all, at))) {}
+	PlacedTriangle(const Eigen::Vector3i& at, const Eigen::Matrix3d& points)
+		: places(at), corners(points),
+		  normal((corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0))),
+		  box(corners.rowwise().minCoeff(), corners.rowwise().maxCoeff()) {}
 
-	PlacedTriangle(const Eigen::Vector3i& at, const Eigen::Matrix3d& points) : places(at), corners(points) {
-		normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-		box = {corners.rowwise().minCoeff(), corners.rowwise().maxCoeff()};
+	/// Whether another one lies wholly beyond the plane that stands on one of its edges, apart from the
+	/// corners that are the edge's ends. Most neighbours on a surface do.
+	bool hasBeyondAnEdge(const PlacedTriangle& other) const {
+		for (int first = 0; first < 3; ++first) {
+			const int second = (first + 1) % 3;
+			const Eigen::Vector3d at = corners.col(first), outward = (corners.col(second) - at).cross(normal);
+			bool beyond = true;
+			for (int corner = 0; beyond && corner < 3; ++corner)
+				beyond = other.places[corner] == places[first] || other.places[corner] == places[second] ||
+						 outward.dot(other.corners.col(corner) - at) > 0;
+			if (beyond)
+				return true;
+		}
+		return false;
 	}
 
 	/// Whether a direction in its plane points from a corner strictly into it.
@@ -52,8 +65,10 @@ struct SharedCorners {
 /// Whether two triangles cut each other. Those that share one vertex do where the line of both their planes
 /// runs into both corners; those that share an edge only when folded flat, which no move hits exactly.
 inline bool intersect(const PlacedTriangle& a, const PlacedTriangle& b) {
+	if (!a.box.intersects(b.box))
+		return false;
 	const SharedCorners shared(a.places, b.places);
-	if (shared.count > 1)
+	if (shared.count > 1 || a.hasBeyondAnEdge(b))
 		return false;
 	if (shared.count == 1) {
 		const Eigen::Vector3d line = a.normal.cross(b.normal);
@@ -63,8 +78,8 @@ inline bool intersect(const PlacedTriangle& a, const PlacedTriangle& b) {
 	const auto point = [](const PlacedTriangle& t, int corner) {
 		return vcg::Point3d(t.corners(0, corner), t.corners(1, corner), t.corners(2, corner));
 	};
-	return a.box.intersects(b.box) && vcg::NoDivTriTriIsect(point(a, 0), point(a, 1), point(a, 2),
-															point(b, 0), point(b, 1), point(b, 2));
+	return vcg::NoDivTriTriIsect(point(a, 0), point(a, 1), point(a, 2), point(b, 0), point(b, 1),
+								 point(b, 2));
 }
 
 } // namespace developable::detail
