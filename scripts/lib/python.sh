@@ -23,9 +23,10 @@ make_environment() {
 	"$folder/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements"
 }
 
-# install_package FOLDER: our own package, such that an edit of it shows at once
+# install_package FOLDER: our own package, such that an edit of it shows at once. Without pip's build isolation, which would
+# fetch what only a wheel's build needs.
 install_package() {
-	"$1/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps -e "$root/python"
+	"$1/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e "$root/python"
 }
 
 # provide_environment FOLDER REQUIREMENTS

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Puts the plugin into the wheel, compiled for the pymeshlab that the wheel asks for.
+
+The compiling is scripts/setup.sh's, which also brings compiler, Qt and headers where they are missing. An
+editable install goes without: it uses what set-up has built in the checkout.
+"""
+
+import importlib.util
+import os
+import subprocess
+import sysconfig
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+HOST = "pymeshlab-2025.7"  # as the dependency in pyproject.toml says
+PLUGIN = "libfilter_developable.so"
+PACKAGE = "meshlab_developable"
+
+
+class PluginBuildHook(BuildHookInterface):
+    """Run by hatchling before it makes a wheel."""
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Compile the plugin and tell hatchling where it belongs."""
+        if version == "editable":
+            return
+        checkout = Path(self.root).parent
+        if not (checkout / "filter_developable").is_dir():
+            raise RuntimeError("the plugin's sources are not here: run pip in the folder python/ of a clone")
+        plugin = build_plugin(checkout)
+        build_data["force_include"][str(plugin)] = f"{PACKAGE}/plugins/{HOST}/{PLUGIN}"
+        build_data["force_include"][str(checkout / "LICENSE")] = f"{PACKAGE}/LICENSE"
+        build_data["pure_python"] = False
+        platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+        build_data["tag"] = f"py3-none-{platform}"  # one plugin serves every version of Python
+
+
+def build_plugin(checkout: Path) -> Path:
+    """Compile what has changed; where the plugin is."""
+    target = HOST if (checkout / "build" / HOST / ".configured").exists() else "wheel"
+    environment = dict(os.environ)
+    if target == "wheel":
+        environment["DEVELOPABLE_HOST_LIBRARY"] = str(host_library())
+    subprocess.run(["bash", str(checkout / "scripts" / "setup.sh"), target], env=environment, check=True)
+    return checkout / "build" / target / PLUGIN
+
+
+def host_library() -> Path:
+    """What the plugin is linked with: the library of the pymeshlab that is there while the wheel is made."""
+    found = importlib.util.find_spec("pymeshlab")
+    if found is None or found.origin is None:
+        raise RuntimeError("pymeshlab is needed to build this wheel: leave pip's build isolation on")
+    return Path(found.origin).parent / "lib" / "libmeshlab-common.so"
