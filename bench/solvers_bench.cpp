@@ -17,29 +17,10 @@ using namespace developable;
 
 namespace {
 
-Eigen::Vector3d deepSaddle(double u, double v) {
-	const double x = 2 * u - 1, y = 2 * v - 1;
-	return {x, y, (x * x - y * y) / 2};
-}
-
 Eigen::Vector3d strongBump(double u, double v) {
 	const double angle = 2 * (u - 0.5), distance = (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5);
 	const double radius = 1 + 0.15 * std::exp(-20 * distance);
 	return {radius * std::sin(angle), 2 * v, radius * std::cos(angle)};
-}
-
-Eigen::Vector3d wave(double u, double v) {
-	return {u, v, 0.05 * std::sin(6 * u) * std::cos(5 * v)};
-}
-
-Eigen::Vector3d vamp(double u, double v) {
-	const double angle = 3 * (u - 0.5), width = 0.4 + 0.25 * v * v, height = 0.35 + 0.5 * v * v;
-	return {width * std::sin(angle), 1.2 * v, height * std::cos(angle)};
-}
-
-Eigen::Vector3d steepBump(double u, double v) {
-	const double x = u - 0.5, y = v - 0.5;
-	return {x, y, 0.35 * std::exp(-30 * (x * x + y * y))};
 }
 
 TriangleMesh withTwoHoles(const TriangleMesh& mesh, int columns) {
@@ -53,13 +34,10 @@ TriangleMesh withTwoHoles(const TriangleMesh& mesh, int columns) {
 }
 
 TriangleMesh shape(const std::string& name, int columns, double noise) {
-	const std::map<std::string, test::Surface> surfaces = {{"cap", test::sphereCap(1)},
-														   {"saddle", deepSaddle},
-														   {"bump", strongBump},
-														   {"wave", wave},
-														   {"vamp", vamp},
-														   {"steep_bump", steepBump},
-														   {"holes", strongBump}};
+	const std::map<std::string, test::Surface> surfaces = {
+		{"cap", test::sphereCap(1)}, {"saddle", test::largeSaddle}, {"bump", strongBump},
+		{"wave", test::wave},        {"vamp", test::vamp},          {"steep_bump", test::steepBump},
+		{"holes", strongBump}};
 	TriangleMesh mesh = test::jitteredGrid(columns, columns, surfaces.at(name));
 	const double amount = noise * meanEdgeLength(test::assembled(mesh));
 	std::mt19937 random(11);

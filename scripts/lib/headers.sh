@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # headers.sh: the hosts' headers, out of the source packages that Debian keeps of MeshLab.
 #
-# Debian ships MeshLab without headers, but its source tarballs have them, vcglib included. They are fetched with apt from
-# the archive that the machine itself uses: a private apt configuration names that archive's sources, so that the system's
-# own is not touched. What is kept lies in $cache_root/meshlab-RELEASE, laid out as in MeshLab's source tree.
+# Debian ships MeshLab without headers, but its source tarballs have them, vcglib included. What is kept lies in
+# $cache_root/meshlab-RELEASE, laid out as in MeshLab's source tree.
 
 # What is pinned of each release: the tarball's sha256, and the Debian suites that have or had it.
 declare -A tarball_sha256=(
@@ -20,54 +19,6 @@ declare -A tarball_suites=(
 # plugin in (tests/build_system).
 kept_paths=(ML_VERSION LICENSE.txt {src/,}vcglib/{vcg,wrap} src/common{,_gui})
 build_system_paths=(CMakeLists.txt src/CMakeLists.txt src/cmake src/external src/vcglib/CMakeLists.txt)
-
-# archive_addresses: of the archives that the machine takes Debian itself from. apt knows its own sources, in whatever
-# format they are written, and prints them even before the first update.
-archive_addresses() {
-	local codename
-	codename=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
-	apt-get update --print-uris |
-		sed -nE "s#^'(.*)/dists/($codename|stable|oldstable)/InRelease' .*#\1#p" | awk '!seen[$0]++'
-}
-
-# private_apt FOLDER COMMAND...: an apt command that knows only the sources in FOLDER/sources.list. An old index will do: the
-# tarball in it is pinned.
-private_apt() {
-	local folder=$1 command=$2
-	shift 2
-	"$command" -q -o Dir::Etc::sourcelist="$folder/sources.list" -o Dir::Etc::sourceparts=/dev/null \
-		-o Dir::State::lists="$folder/lists" -o Dir::Cache="$folder/cache" -o APT::Sandbox::User=root \
-		-o Acquire::Check-Valid-Until=false -o Acquire::Check-Date=false "$@"
-}
-
-# source_version FOLDER SHA256: the version of the source package meshlab that the tarball belongs to; nothing when unknown
-source_version() {
-	private_apt "$1" apt-cache showsrc meshlab 2>/dev/null |
-		awk -v sha256="$2" '/^Version: / { version = $2 } $1 == sha256 { print version; exit }'
-}
-
-# fetch_tarball RELEASE FOLDER: leaves the release's tarball in FOLDER
-fetch_tarball() {
-	local release=$1 folder=$2 sha256=${tarball_sha256[$1]} keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-	local archive suite version option=""
-	if [[ -f $keyring ]]; then option="[signed-by=$keyring] "; fi
-	mkdir -p "$folder"/{lists,cache/archives}/partial
-	for archive in $(archive_addresses); do
-		for suite in ${tarball_suites[$release]}; do
-			echo "deb-src $option$archive $suite main" >"$folder/sources.list"
-			if ! private_apt "$folder" apt-get update >"$folder/log" 2>&1; then continue; fi
-			version=$(source_version "$folder" "$sha256")
-			if [[ -z $version ]]; then continue; fi
-			if (cd "$folder" && private_apt "$folder" apt-get source --tar-only "meshlab=$version" >>log 2>&1) &&
-				sha256sum --status -c <<<"$sha256  $(ls "$folder"/*.orig.tar.*)"; then
-				return
-			fi
-		done
-	done
-	if [[ -f $folder/log ]]; then cat "$folder/log" >&2; fi
-	fail "the source of MeshLab $release was not found in Debian's ${tarball_suites[$release]// /, } (sha256 $sha256)." \
-		"Unpack it into $cache_root/meshlab-$release yourself, and run again."
-}
 
 # unpack_headers RELEASE FOLDER: what a plugin needs of the tarball in FOLDER, to its place in the cache
 unpack_headers() {
@@ -96,7 +47,10 @@ provide_headers() {
 	folder=$(mktemp -d "$cache_root/fetching.XXXXXX")
 	(
 		trap 'rm -rf "$folder"' EXIT
-		fetch_tarball "$1" "$folder"
+		read -ra suites <<<"${tarball_suites[$1]}"
+		fetch_tarball meshlab "${tarball_sha256[$1]}" "$folder" "${suites[@]}" ||
+			fail "the source of MeshLab $1 was not found in Debian's ${tarball_suites[$1]// /, } (sha256 ${tarball_sha256[$1]})." \
+				"Unpack it into $cache_root/meshlab-$1 yourself, and run again."
 		unpack_headers "$1" "$folder"
 	)
 }

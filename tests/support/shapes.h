@@ -94,6 +94,26 @@ inline Eigen::Vector3d bumpedCylinder(double u, double v) {
 	return {radius * std::sin(angle), v, radius * std::cos(angle)};
 }
 
+inline Eigen::Vector3d largeSaddle(double u, double v) {
+	const double x = 2 * u - 1, y = 2 * v - 1;
+	return {x, y, (x * x - y * y) / 2};
+}
+
+inline Eigen::Vector3d wave(double u, double v) {
+	return {u, v, 0.05 * std::sin(6 * u) * std::cos(5 * v)};
+}
+
+inline Eigen::Vector3d steepBump(double u, double v) {
+	const double x = u - 0.5, y = v - 0.5;
+	return {x, y, 0.35 * std::exp(-30 * (x * x + y * y))};
+}
+
+/// The instep of a shoe: a tunnel that widens and rises.
+inline Eigen::Vector3d vamp(double u, double v) {
+	const double angle = 3 * (u - 0.5), width = 0.4 + 0.25 * v * v, height = 0.35 + 0.5 * v * v;
+	return {width * std::sin(angle), 1.2 * v, height * std::cos(angle)};
+}
+
 /// A closed regular octahedron.
 inline TriangleMesh octahedron() {
 	Positions positions(3, 6);
@@ -150,6 +170,34 @@ inline Positions moved(const Positions& positions, double scale, const Eigen::Ve
 
 inline PatchAssembly assembled(const TriangleMesh& mesh, const PatchOptions& options = {}) {
 	return assemblePatches(mesh, options);
+}
+
+/// A grid without the triangles for which a condition on the cell's column and row holds.
+template <class Condition>
+inline TriangleMesh without(const TriangleMesh& mesh, int columns, const Condition& condition) {
+	std::vector<int> kept;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const int cell = t / 2;
+		if (!condition(cell % (columns - 1), cell / (columns - 1)))
+			kept.push_back(t);
+	}
+	return makeMesh(mesh.positions, mesh.triangles(Eigen::all, kept));
+}
+
+inline TriangleMesh withTwoHoles(int columns, const Surface& surface) {
+	return without(jitteredGrid(columns, columns, surface), columns, [&](int column, int row) {
+		const double u = double(column) / columns, v = double(row) / columns;
+		return std::hypot(u - 0.3, v - 0.35) < 0.1 || std::hypot(u - 0.65, v - 0.6) < 0.12;
+	});
+}
+
+/// With every coordinate moved by up to two shares of the mean edge length.
+inline TriangleMesh noisy(TriangleMesh mesh, double shareOfEdge) {
+	const double amount = shareOfEdge * meanEdgeLength(assembled(mesh));
+	std::mt19937 random(11);
+	for (double& coordinate : mesh.positions.reshaped())
+		coordinate += amount * (4.0 * random() / std::mt19937::max() - 2); // standard deviation 1.15
+	return mesh;
 }
 
 } // namespace developable::test

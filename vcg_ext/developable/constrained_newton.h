@@ -3,9 +3,7 @@
 #pragma once
 
 #include "assemble_patches.h"
-#include "detail/newton_attempt.h"
-#include "progress.h"
-#include "report.h"
+#include "detail/multilevel_newton.h"
 
 namespace developable {
 
@@ -84,32 +82,20 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 		detail::describeShape(assembly, defects, report);
 		return report;
 	}
+	const double curvatureBefore = defects.cwiseAbs().sum(), detectBefore = detectFunction(defects);
+	const detail::NewtonOutcome outcome =
+		detail::MultilevelNewton(options.smoothness, goal, options.maxIterations)
+			.solve(assembly, positions, progress);
+	report.status = outcome.status;
+	report.iterations = outcome.iterations;
+	report.smoothness = outcome.smoothness;
+	if (outcome.status == Status::Stopped)
+		return report;
 	const bool held =
 		std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
-	const double curvatureBefore = defects.cwiseAbs().sum();
-	double least = detectFunction(defects);
-	Positions best = positions;
-	for (int attempt = 0; attempt < 4; ++attempt) {
-		detail::NewtonAttempt run(assembly, smoothness, goal, progress);
-		const detail::NewtonOutcome outcome =
-			run.run(positions, options.maxIterations - static_cast<int>(report.iterations));
-		report.iterations += outcome.iterations;
-		report.status = outcome.status;
-		if (outcome.status == Status::Stopped)
-			return report;
-		defects = angleDefects(assembly, outcome.positions);
-		// A little less curvature is not worth the greater distance of a second attempt.
-		const bool better = detectFunction(defects) < (attempt == 0 ? 1 : 0.1) * least;
-		if (better && (held || defects.cwiseAbs().sum() < curvatureBefore)) {
-			least = detectFunction(defects);
-			best = outcome.positions;
-			report.smoothness = smoothness.maxCoeff();
-		}
-		if (outcome.status != Status::Stalled)
-			break;
-		smoothness = goal.unmetPatches(assembly, defects).select(4 * smoothness, smoothness);
-	}
-	positions = best;
+	defects = angleDefects(assembly, outcome.positions);
+	if (detectFunction(defects) < detectBefore && (held || defects.cwiseAbs().sum() < curvatureBefore))
+		positions = outcome.positions;
 	defects = angleDefects(assembly, positions);
 	detail::describeShape(assembly, defects, report);
 	if (report.status == Status::Stalled && !held)

@@ -5,6 +5,7 @@
 #include "../angle_defect.h"
 #include "sparse_cholesky.h"
 
+#include <numeric>
 #include <utility>
 
 namespace developable::detail {
@@ -19,6 +20,7 @@ public:
 	DefectJacobian(const PatchAssembly& assembly, const Eigen::VectorXd& placeMass)
 		: assembly_(assembly), rowOfCopy_(assembly.copyCount(), -1) {
 		const Eigen::VectorXd areas = copyAreas(assembly, assembly.originalPositions);
+		const double area = areas.sum();
 		for (int copy = 0; copy < assembly.copyCount(); ++copy)
 			if (assembly.copyInterior[copy]) {
 				rowOfCopy_[copy] = static_cast<int>(copyOfRow_.size());
@@ -26,10 +28,9 @@ public:
 			}
 		rowScale_.resize(rowCount());
 		for (int row = 0; row < rowCount(); ++row)
-			rowScale_[row] = std::sqrt(areas.sum() / areas[copyOfRow_[row]]);
+			rowScale_[row] = std::sqrt(area / areas[copyOfRow_[row]]);
 		inverseMass_ = placeMass.cwiseInverse();
 		findBlocks();
-		findProducts();
 	}
 
 	int rowCount() const { return static_cast<int>(copyOfRow_.size()); }
@@ -75,8 +76,20 @@ public:
 		return result;
 	}
 
+	/// J for displacements along one direction a place, rows x places.
+	SparseMatrix along(const Positions& directions) const {
+		std::vector<double> values(rowOfBlock_.size());
+		for (int place = 0; place < assembly_.placeCount(); ++place)
+			for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
+				values[block] = blocks_.col(block).dot(directions.col(place));
+		return Eigen::Map<const SparseMatrix>(rowCount(), assembly_.placeCount(), values.size(),
+											  blockStart_.data(), rowOfBlock_.data(), values.data());
+	}
+
 	/// The lower triangle of J M⁻¹ Jᵀ + shift, M being the places' masses; its pattern never changes.
 	const SparseMatrix& massProduct(double shift) {
+		if (productEntry_.empty())
+			findProducts();
 		Eigen::Map<Eigen::VectorXd> values(product_.valuePtr(), product_.nonZeros());
 		values.setZero();
 		std::size_t next = 0;
@@ -90,31 +103,40 @@ public:
 	}
 
 private:
-	/// Rows are sorted within each place, so that products of blocks lie in the lower triangle.
-	void findBlocks() {
-		std::vector<std::pair<std::pair<int, int>, int>>
-			uses; // (place, row), 9 * triangle + 3 * corner + vertex
+	/// Every corner and vertex of a triangle that have a block: called with 9 * triangle + 3 * corner +
+	/// vertex, row and place.
+	template <class Callback>
+	void forEachUse(const Callback& callback) const {
 		for (int t = 0; t < assembly_.triangleCount(); ++t)
 			for (int corner = 0; corner < 3; ++corner)
 				for (int vertex = 0; vertex < 3; ++vertex) {
 					const int row = rowOfCopy_[assembly_.triangleCopies(corner, t)];
 					const int place = assembly_.trianglePlaces(vertex, t);
 					if (row >= 0 && !assembly_.placeFixed[place])
-						uses.push_back({{place, row}, 9 * t + 3 * corner + vertex});
+						callback(9 * t + 3 * corner + vertex, row, place);
 				}
-		std::sort(uses.begin(), uses.end());
+	}
+
+	/// Rows are sorted within each place, so that products of blocks lie in the lower triangle.
+	void findBlocks() {
+		std::vector<int> useStart(assembly_.placeCount() + 1, 0);
+		forEachUse([&](int, int, int place) { ++useStart[place + 1]; });
+		std::partial_sum(useStart.begin(), useStart.end(), useStart.begin());
+		std::vector<std::pair<int, int>> uses(useStart.back()); // row, 9 * triangle + 3 * corner + vertex
+		std::vector<int> next(useStart.begin(), useStart.end() - 1);
+		forEachUse([&](int use, int row, int place) { uses[next[place]++] = {row, use}; });
 		blockOf_.assign(9 * static_cast<std::size_t>(assembly_.triangleCount()), -1);
-		blockStart_.assign(assembly_.placeCount() + 1, 0);
-		for (std::size_t i = 0; i < uses.size(); ++i) {
-			const auto& [key, use] = uses[i];
-			if (i == 0 || key != uses[i - 1].first) {
-				rowOfBlock_.push_back(key.second);
-				++blockStart_[key.first + 1];
+		blockStart_.assign(1, 0);
+		rowOfBlock_.reserve(uses.size() / 2);
+		for (int place = 0; place < assembly_.placeCount(); ++place) {
+			std::sort(uses.begin() + useStart[place], uses.begin() + useStart[place + 1]);
+			for (int i = useStart[place]; i < useStart[place + 1]; ++i) {
+				if (i == useStart[place] || uses[i].first != uses[i - 1].first)
+					rowOfBlock_.push_back(uses[i].first);
+				blockOf_[uses[i].second] = static_cast<int>(rowOfBlock_.size()) - 1;
 			}
-			blockOf_[use] = static_cast<int>(rowOfBlock_.size()) - 1;
+			blockStart_.push_back(static_cast<int>(rowOfBlock_.size()));
 		}
-		for (int place = 0; place < assembly_.placeCount(); ++place)
-			blockStart_[place + 1] += blockStart_[place];
 		blocks_.resize(3, rowOfBlock_.size());
 	}
 

@@ -35,8 +35,10 @@ public:
 		if (report_.status == Status::Stopped)
 			return report_;
 		returnToLowest();
-		if (allDevelopable())
+		if (allDevelopable()) {
 			report_.status = Status::Converged;
+			report_.reason.clear();
+		}
 		positions = state_.positions();
 		return report_;
 	}
@@ -73,8 +75,10 @@ private:
 	Status visitAll(const Progress& progress) {
 		const long patience = 20L * movableCount_;
 		while (!worst_.empty() && worst_.topKey() > options_.angleTolerance * options_.angleTolerance) {
-			if (report_.iterations - lowestAt_ > patience)
+			if (report_.iterations - lowestAt_ > patience) {
+				report_.reason = "stalled: the last 20 operations a movable vertex have not lowered G";
 				return Status::Stalled;
+			}
 			if (report_.iterations == options_.maxOperations)
 				return Status::LimitReached;
 			if (report_.iterations % operationsPerReport == 0 &&
@@ -87,6 +91,7 @@ private:
 			if (const int soon = worst_.successor(place); soon >= 0)
 				lookAhead_.expect(soon);
 		}
+		report_.reason = "stalled: within the tolerance nothing can move any more";
 		return Status::Stalled;
 	}
 

@@ -2,35 +2,11 @@
 // newton_attempt.h: one run of the constrained Newton method, from the original towards g = 0.
 #pragma once
 
-#include "../progress.h"
-#include "../report.h"
+#include "curvature_goal.h"
 #include "multiplier_solver.h"
 #include "soundness.h"
 
 namespace developable::detail {
-
-/// When a patch counts as developable.
-struct CurvatureGoal {
-	double curvatureTolerance, angleTolerance;
-
-	/// Per patch, whether it is not there yet.
-	Eigen::Array<bool, Eigen::Dynamic, 1> unmetPatches(const PatchAssembly& assembly,
-													   const Eigen::VectorXd& defects) const {
-		Eigen::ArrayXd curvature = Eigen::ArrayXd::Zero(assembly.patchCount()), greatest = curvature;
-		for (int copy = 0; copy < assembly.copyCount(); ++copy) {
-			const int patch = assembly.patchOfCopy[copy];
-			curvature[patch] += std::abs(defects[copy]);
-			greatest[patch] = std::max(greatest[patch], std::abs(defects[copy]));
-		}
-		return !(curvature <= curvatureTolerance && greatest <= angleTolerance);
-	}
-};
-
-struct NewtonOutcome {
-	Status status = Status::Stalled;
-	int iterations = 0;
-	Positions positions;
-};
 
 /// With d = x − x0 the displacement and g the scaled defects, both parts of the run take Gauss-Newton steps
 /// on φ(x) = τ ½‖d‖²_W + 1/(2ε) |g|², found from their multipliers y:
@@ -43,31 +19,29 @@ public:
 	NewtonAttempt(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness, const CurvatureGoal& goal,
 				  const Progress& progress)
 		: assembly_(assembly), goal_(goal), progress_(progress), metric_(assembly, smoothness),
-		  jacobian_(assembly, metric_.placeMass()), solver_(metric_, jacobian_), soundness_(assembly) {}
+		  jacobian_(assembly, metric_.placeMass()), solver_(metric_, jacobian_), soundness_(assembly) {
+		metric_.factorize();
+	}
 
 	NewtonOutcome run(const Positions& start, int maxIterations) {
-		maxIterations_ = maxIterations;
-		const Positions& original = assembly_.originalPositions;
-		farthest_ = farthestShare * (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
-		lastNear_ = start;
-		moveTo(stateAt(start));
-		startCurvature_ = state_.curvature;
-		jacobian_.linearize(start);
-		epsilon_ = solver_.findGreatestResponse(state_.scaled) / 4;
+		begin(start, maxIterations);
 		leastEpsilon_ = 4e-5 * epsilon_;
-		NewtonOutcome outcome;
-		outcome.status = followPath();
-		if (outcome.status == Status::Stalled)
-			outcome.status = land();
-		outcome.iterations = iterations_;
-		outcome.positions = state_.reached ? state_.positions : lastNear_;
-		return outcome;
+		Status status = followPath();
+		if (status == Status::Stalled)
+			status = land();
+		return outcome(status);
+	}
+
+	/// The landing alone, from a shape that is nearly there.
+	NewtonOutcome landFrom(const Positions& start, int maxIterations) {
+		begin(start, maxIterations);
+		leastEpsilon_ = 4e-5 * epsilon_;
+		epsilon_ = leastEpsilon_;
+		return outcome(land());
 	}
 
 private:
 	static constexpr double residualShare = 0.05; ///< what a step leaves of its linear system
-	/// How far, as a share of the diagonal, a place may go in a result that is not developable.
-	static constexpr double farthestShare = 0.2;
 	static constexpr int idleLimit = 5; ///< landing steps in a row that remove less than a hundredth of |g|²
 
 	struct State {
@@ -77,6 +51,24 @@ private:
 		double squaredDistance = 0; // ‖d‖²
 		bool reached = false;
 	};
+
+	void begin(const Positions& start, int maxIterations) {
+		maxIterations_ = maxIterations;
+		diagonal_ = diagonal(assembly_);
+		lastNear_ = start;
+		moveTo(stateAt(start));
+		startCurvature_ = state_.curvature;
+		jacobian_.linearize(start);
+		epsilon_ = solver_.findGreatestResponse(state_.scaled) / 4;
+	}
+
+	/// A developable shape that is not near the original any more is none that was looked for.
+	NewtonOutcome outcome(Status status) const {
+		if (state_.reached &&
+			farthestDisplacement(assembly_, state_.positions) <= farthestShareReached * diagonal_)
+			return {status, iterations_, state_.positions, 0};
+		return {state_.reached ? Status::Stalled : status, iterations_, lastNear_, 0};
+	}
 
 	State stateAt(const Positions& positions) const {
 		const Eigen::VectorXd defects = angleDefects(assembly_, positions);
@@ -88,7 +80,7 @@ private:
 
 	void moveTo(State state) {
 		state_ = std::move(state);
-		if ((state_.positions - assembly_.originalPositions).colwise().norm().maxCoeff() <= farthest_)
+		if (farthestDisplacement(assembly_, state_.positions) <= farthestShare * diagonal_)
 			lastNear_ = state_.positions;
 	}
 
@@ -170,11 +162,8 @@ private:
 	}
 
 	bool mayGoOnNow() const {
-		const double whole = std::log(startCurvature_ / goal_.curvatureTolerance);
-		const double done = std::log(startCurvature_ / std::max(state_.curvature, goal_.curvatureTolerance));
-		return mayGoOn(progress_, whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0,
-					   "Total absolute curvature " + std::to_string(state_.curvature) + " rad after " +
-						   std::to_string(iterations_ - 1) + " steps");
+		return mayGoOn(progress_, goal_.shareRemoved(startCurvature_, state_.curvature),
+					   describeCurvature(state_.curvature, iterations_ - 1));
 	}
 
 	const PatchAssembly& assembly_;
@@ -185,7 +174,7 @@ private:
 	MultiplierSolver solver_;
 	Soundness soundness_;
 	State state_;
-	double farthest_ = 0;
+	double diagonal_ = 0;
 	Positions lastNear_;
 	Eigen::VectorXd multipliers_; // y, the next step's first guess
 	double startCurvature_ = 0, epsilon_ = 0, leastEpsilon_ = 0;

@@ -89,7 +89,10 @@ private:
 		if (countFlipped(mesh.triangles, flat.positions) > 0)
 			return flat; // beyond double precision; reported as flipped faces
 		PlaneSprings springs(mesh);
-		flat.minimum = FlipFreeNewton(springs, flat.positions).minimize(iterations_, progress_);
+		FlipFreeNewton newton(springs, flat.positions);
+		flat.minimum = newton.minimize(iterations_, progress_);
+		if (flat.minimum.converged)
+			newton.lessenMeanStrain();
 		return flat;
 	}
 

@@ -12,8 +12,9 @@
 
 namespace developable::detail {
 
-/// Σ (flattened length − length)² over the edges of a panel, plus a barrier that is 0 until a triangle has
-/// lost nine tenths of its area (or less, if asked) and grows to infinity where it would flip.
+/// Σ weight·(flattened length − length)² over the edges of a panel, all weights 1 at first, plus a barrier
+/// that is 0 until a triangle has lost nine tenths of its area (or less, if asked) and grows to infinity
+/// where it would flip.
 class PlaneSprings {
 public:
 	static constexpr double leastGuardedShare = 0.1;
@@ -25,6 +26,7 @@ public:
 				ends_.push_back({panel.start(h), panel.end(h)});
 				lengths_.push_back(panel.length(h));
 			}
+		weights_.assign(lengths_.size(), 1);
 		restAreas_.resize(panel.triangleCount());
 		for (int t = 0; t < panel.triangleCount(); ++t) {
 			const auto triangle = triangles_.col(t);
@@ -45,11 +47,28 @@ public:
 
 	double energy(const PlanePositions& x) const {
 		double sum = 0;
-		for (std::size_t edge = 0; edge < ends_.size(); ++edge) {
-			const double stretch = (x.col(ends_[edge][1]) - x.col(ends_[edge][0])).norm() - lengths_[edge];
-			sum += stretch * stretch;
-		}
+		for (std::size_t edge = 0; edge < ends_.size(); ++edge)
+			sum += weights_[edge] * stretch(x, edge) * stretch(x, edge);
 		return sum;
+	}
+
+	/// Gives the edges weights with which their energy is, near a layout and but for a constant, that with
+	/// weights 1 plus a share of it in proportion to the mean edge strain: of weight·s² and |s| a parabola
+	/// touches the other at the stretch s that there is.
+	/// \param share  of the energy with weights 1 at the layout
+	void weighForMeanStrain(const PlanePositions& x, double share) {
+		weights_.assign(lengths_.size(), 1);
+		double strains = 0;
+		for (std::size_t edge = 0; edge < ends_.size(); ++edge)
+			strains += std::abs(stretch(x, edge)) / lengths_[edge];
+		if (strains == 0)
+			return;
+		const double least = 0.01 * strains / static_cast<double>(ends_.size()),
+					 factor = share * energy(x) / (2 * strains);
+		for (std::size_t edge = 0; edge < ends_.size(); ++edge) {
+			const double strain = std::max(std::abs(stretch(x, edge)) / lengths_[edge], least);
+			weights_[edge] += factor / (strain * lengths_[edge] * lengths_[edge]);
+		}
 	}
 
 	/// The energy with the barrier; infinite when a triangle is flipped.
@@ -70,7 +89,7 @@ public:
 		PlanePositions result = PlanePositions::Zero(2, x.cols());
 		for (std::size_t edge = 0; edge < ends_.size(); ++edge) {
 			const Eigen::Vector2d along = x.col(ends_[edge][0]) - x.col(ends_[edge][1]);
-			const Eigen::Vector2d pull = 2 * (1 - lengths_[edge] / along.norm()) * along;
+			const Eigen::Vector2d pull = 2 * weights_[edge] * (1 - lengths_[edge] / along.norm()) * along;
 			result.col(ends_[edge][0]) += pull;
 			result.col(ends_[edge][1]) -= pull;
 		}
@@ -93,8 +112,9 @@ public:
 			double sideways = 1 - lengths_[edge] / std::sqrt(squaredLength);
 			if (convex)
 				sideways = std::max(sideways, 0.0);
-			const Eigen::Matrix2d block = 2 * sideways * Eigen::Matrix2d::Identity() +
-										  2 * (1 - sideways) / squaredLength * along * along.transpose();
+			const Eigen::Matrix2d block = 2 * weights_[edge] *
+										  (sideways * Eigen::Matrix2d::Identity() +
+										   (1 - sideways) / squaredLength * along * along.transpose());
 			hessian.add(ends_[edge][0], ends_[edge][0], block);
 			hessian.add(ends_[edge][1], ends_[edge][1], block);
 			hessian.add(ends_[edge][0], ends_[edge][1], -block);
@@ -135,6 +155,10 @@ private:
 	};
 
 	static constexpr double stiffness = 0.01; // of the barrier, against the springs
+
+	double stretch(const PlanePositions& x, std::size_t edge) const {
+		return (x.col(ends_[edge][1]) - x.col(ends_[edge][0])).norm() - lengths_[edge];
+	}
 
 	/// −(s − s₀)² log(s/s₀) and its derivatives: with value, slope and curvature 0 at s₀.
 	Barrier barrier(double share) const {
@@ -185,8 +209,8 @@ private:
 	}
 
 	std::vector<std::array<int, 2>> ends_;
-	std::vector<double> lengths_;
-	std::vector<double> restAreas_; // doubled
+	std::vector<double> lengths_, weights_; // per edge
+	std::vector<double> restAreas_;         // doubled
 	Eigen::Matrix3Xi triangles_;
 	int vertexCount_;
 	double guardedShare_ = leastGuardedShare;

@@ -32,4 +32,17 @@ inline Eigen::Matrix3Xd copyNormals(const PatchAssembly& assembly, const Positio
 	return normals;
 }
 
+/// A unit normal of every place, 0 where there is none; 3 x places. Sides count for nothing: patches that
+/// meet at a place may be turned either way.
+inline Eigen::Matrix3Xd placeNormals(const PatchAssembly& assembly, const Positions& positions) {
+	const Eigen::Matrix3Xd triangles = triangleNormals(assembly, positions);
+	Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, assembly.placeCount());
+	for (int t = 0; t < assembly.triangleCount(); ++t)
+		for (const int place : assembly.trianglePlaces.col(t))
+			normals.col(place) += (normals.col(place).dot(triangles.col(t)) < 0 ? -1 : 1) * triangles.col(t);
+	for (auto normal : normals.colwise())
+		normal = normal.norm() > 1e-9 ? Eigen::Vector3d(normal.normalized()) : Eigen::Vector3d::Zero();
+	return normals;
+}
+
 } // namespace developable::detail

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// coarsening.h: the same patches with fewer vertices, for methods that work from coarse to fine.
+#pragma once
+
+#include "../assemble_patches.h"
+
+#include <numeric>
+
+namespace developable::detail {
+
+/// A coarser assembly, whose places are some of the finer one's.
+struct CoarseAssembly {
+	PatchAssembly assembly;
+	std::vector<int> finePlace; ///< per coarse place
+	std::vector<int> finePatch; ///< per coarse patch
+};
+
+/// Takes places out by collapsing each into a neighbour, as independent sets (no two of one sweep are
+/// neighbours; Dobkin and Kirkpatrick 1985, Lee et al. 1998). An inner place goes into the neighbour that
+/// leaves the best triangles; a place on a seam or boundary only along it, in all its patches at once, and
+/// not where the curve ends, branches or turns sharply. Places that are held still stay unless all around
+/// them do.
+class Coarsening {
+public:
+	explicit Coarsening(const PatchAssembly& assembly)
+		: assembly_(assembly), triangles_(assembly.triangleCopies), alive_(assembly.triangleCount(), 1),
+		  target_(assembly.copyCount(), -1), placeCount_(assembly.placeCount()) {
+		fans_.resize(assembly.copyCount());
+		for (int copy = 0; copy < assembly.copyCount(); ++copy)
+			for (int i = assembly.cornerStart[copy]; i < assembly.cornerStart[copy + 1]; ++i)
+				fans_[copy].push_back(assembly.corners[i] / 3);
+		copies_.resize(assembly.placeCount());
+		for (int copy = 0; copy < assembly.copyCount(); ++copy)
+			copies_[assembly.placeOfCopy[copy]].push_back(copy);
+		removed_.assign(assembly.placeCount(), 0);
+		findCurves();
+	}
+
+	/// Sweeps until so many places are left, or no more can go.
+	CoarseAssembly coarsen(int placesWanted) {
+		int before = 0;
+		do {
+			before = placeCount_;
+			sweep(placesWanted);
+		} while (placeCount_ > placesWanted && placeCount_ < 0.97 * before);
+		return assemble();
+	}
+
+private:
+	static constexpr double leastTurn = 0.9;    ///< cosine of the turn at which a curve has a corner
+	static constexpr double leastNormal = 0.5;  ///< cosine of the angle a triangle may turn by
+	static constexpr double worstCotangent = 4; ///< of a new triangle's angles
+	static constexpr int largestFan = 9;
+
+	Eigen::Vector3d position(int copy) const {
+		return assembly_.originalPositions.col(assembly_.placeOfCopy[copy]);
+	}
+
+	/// Places inside a patch have no curve neighbours, those on a smooth curve have two.
+	void findCurves() {
+		curveNeighbours_.assign(assembly_.placeCount(), {-1, -1});
+		corner_.assign(assembly_.placeCount(), 0);
+		for (int h = 0; h < 3 * assembly_.triangleCount(); ++h)
+			if (assembly_.joinedHalfEdge[h] < 0) {
+				const int a = assembly_.trianglePlaces(h % 3, h / 3);
+				const int b = assembly_.trianglePlaces((h % 3 + 1) % 3, h / 3);
+				addCurveNeighbour(a, b);
+				addCurveNeighbour(b, a);
+			}
+		for (int place = 0; place < assembly_.placeCount(); ++place) {
+			const auto [a, b] = curveNeighbours_[place];
+			if (a >= 0 && b < 0)
+				corner_[place] = 1;
+		}
+	}
+
+	bool turnsSharply(int place) const {
+		const auto [a, b] = curveNeighbours_[place];
+		if (a < 0)
+			return false;
+		const Eigen::Vector3d here = assembly_.originalPositions.col(place);
+		return (here - assembly_.originalPositions.col(a))
+				   .normalized()
+				   .dot((assembly_.originalPositions.col(b) - here).normalized()) < leastTurn;
+	}
+
+	void addCurveNeighbour(int place, int neighbour) {
+		auto& [a, b] = curveNeighbours_[place];
+		if (a == neighbour || b == neighbour)
+			return;
+		if (a < 0)
+			a = neighbour;
+		else if (b < 0)
+			b = neighbour;
+		else
+			corner_[place] = 1;
+	}
+
+	void sweep(int placesWanted) {
+		locked_.assign(assembly_.placeCount(), 0);
+		for (int place = 0; place < assembly_.placeCount() && placeCount_ > placesWanted; ++place)
+			if (!removed_[place] && !locked_[place] && !corner_[place] && !turnsSharply(place) &&
+				mayGo(place))
+				remove(place);
+	}
+
+	/// Held places define where nothing moves: one may go only from among its like.
+	bool mayGo(int place) const {
+		if (static_cast<int>(fans_[copies_[place][0]].size()) > largestFan)
+			return false;
+		if (!assembly_.placeFixed[place])
+			return true;
+		for (const int copy : copies_[place])
+			for (const int t : fans_[copy])
+				for (const int other : triangles_.col(t))
+					if (!assembly_.placeFixed[assembly_.placeOfCopy[other]])
+						return false;
+		return true;
+	}
+
+	void remove(int place) {
+		double least = worstCotangent;
+		int best = -1;
+		const auto consider = [&](int neighbour) {
+			const double worst = worstAfter(place, neighbour, least);
+			if (worst < least) {
+				least = worst;
+				best = neighbour;
+			}
+		};
+		if (curveNeighbours_[place][0] >= 0)
+			for (const int neighbour : curveNeighbours_[place])
+				consider(neighbour);
+		else
+			for (const int t : fans_[copies_[place][0]]) {
+				const int corner = cornerOf(t, copies_[place][0]);
+				consider(assembly_.placeOfCopy[triangles_((corner + 1) % 3, t)]);
+				if (assembly_.triangleReversed[t])
+					consider(assembly_.placeOfCopy[triangles_((corner + 2) % 3, t)]);
+			}
+		if (best >= 0)
+			collapse(place, best);
+	}
+
+	int cornerOf(int triangle, int copy) const {
+		const auto corners = triangles_.col(triangle);
+		return corners[0] == copy ? 0 : corners[1] == copy ? 1 : 2;
+	}
+
+	/// The copy of a place beside this copy, or -1; `shared` becomes the number of triangles with both.
+	int copyBeside(int copy, int place, int& shared) const {
+		int found = -1;
+		shared = 0;
+		for (const int t : fans_[copy])
+			for (const int other : triangles_.col(t))
+				if (other != copy && assembly_.placeOfCopy[other] == place) {
+					if (found >= 0 && other != found)
+						shared = 100; // two copies of one place in one fan: leave it
+					found = other;
+					++shared;
+				}
+		return found;
+	}
+
+	/// Copies joined to both by an edge.
+	int commonNeighbours(int copy, int other) const {
+		std::vector<int> ring[2];
+		for (int side = 0; side < 2; ++side) {
+			for (const int t : fans_[side ? other : copy])
+				for (const int c : triangles_.col(t))
+					ring[side].push_back(c);
+			std::sort(ring[side].begin(), ring[side].end());
+			ring[side].erase(std::unique(ring[side].begin(), ring[side].end()), ring[side].end());
+		}
+		std::vector<int> common;
+		std::set_intersection(ring[0].begin(), ring[0].end(), ring[1].begin(), ring[1].end(),
+							  std::back_inserter(common));
+		return static_cast<int>(common.size()) - 2;
+	}
+
+	/// The largest cotangent that would be left round a place, +∞ when it can't go there.
+	double worstAfter(int place, int neighbour, double limit) const {
+		constexpr double never = std::numeric_limits<double>::infinity();
+		const bool onCurve = curveNeighbours_[place][0] >= 0;
+		double worst = -never;
+		for (const int copy : copies_[place]) {
+			int shared = 0;
+			const int other = copyBeside(copy, neighbour, shared);
+			if (other < 0 || shared != (onCurve ? 1 : 2))
+				return never;
+			for (const int t : fans_[copy]) {
+				if (hasCopy(t, other))
+					continue;
+				worst = std::max(worst, cotangentAfter(t, copy, other));
+				if (worst >= limit)
+					return never;
+			}
+		}
+		for (const int copy : copies_[place]) {
+			int shared = 0;
+			const int other = copyBeside(copy, neighbour, shared);
+			if (commonNeighbours(copy, other) != (onCurve ? 1 : 2) ||
+				fans_[copy].size() <= static_cast<std::size_t>(onCurve ? 1 : 2))
+				return never;
+		}
+		return worst;
+	}
+
+	bool hasCopy(int triangle, int copy) const { return (triangles_.col(triangle).array() == copy).any(); }
+
+	double cotangentAfter(int triangle, int copy, int other) const {
+		Eigen::Vector3d before[3], after[3];
+		for (int i = 0; i < 3; ++i) {
+			const int c = triangles_(i, triangle);
+			before[i] = position(c);
+			after[i] = c == copy ? position(other) : before[i];
+		}
+		const Eigen::Vector3d normalBefore = (before[1] - before[0]).cross(before[2] - before[0]);
+		const Eigen::Vector3d normal = (after[1] - after[0]).cross(after[2] - after[0]);
+		const double doubleArea = normal.norm();
+		if (!(normal.dot(normalBefore) > leastNormal * doubleArea * normalBefore.norm()))
+			return std::numeric_limits<double>::infinity();
+		double worst = -std::numeric_limits<double>::infinity();
+		for (int i = 0; i < 3; ++i)
+			worst = std::max(worst,
+							 (after[(i + 1) % 3] - after[i]).dot(after[(i + 2) % 3] - after[i]) / doubleArea);
+		return worst;
+	}
+
+	void collapse(int place, int neighbour) {
+		for (const int copy : copies_[place]) {
+			int shared = 0;
+			const int other = copyBeside(copy, neighbour, shared);
+			for (const int t : fans_[copy])
+				for (const int c : triangles_.col(t))
+					locked_[assembly_.placeOfCopy[c]] = 1;
+			for (const int t : fans_[copy]) {
+				if (hasCopy(t, other)) {
+					alive_[t] = 0;
+					for (const int c : triangles_.col(t))
+						if (c != copy)
+							fans_[c].erase(std::find(fans_[c].begin(), fans_[c].end(), t));
+				} else {
+					triangles_(cornerOf(t, copy), t) = other;
+					fans_[other].push_back(t);
+				}
+			}
+			fans_[copy] = {};
+		}
+		removed_[place] = 1;
+		--placeCount_;
+		for (const int a : curveNeighbours_[place])
+			if (a >= 0)
+				for (int& b : curveNeighbours_[a])
+					if (b == place)
+						b = a == neighbour ? otherCurveNeighbour(place, neighbour) : neighbour;
+	}
+
+	int otherCurveNeighbour(int place, int neighbour) const {
+		const auto [a, b] = curveNeighbours_[place];
+		return a == neighbour ? b : a;
+	}
+
+	CoarseAssembly assemble() const {
+		std::vector<int> vertexOfCopy(assembly_.copyCount(), -1), kept, copyOfVertex;
+		for (int t = 0; t < assembly_.triangleCount(); ++t)
+			if (alive_[t])
+				kept.push_back(t);
+		TriangleMesh mesh;
+		mesh.triangles.resize(3, kept.size());
+		for (std::size_t i = 0; i < kept.size(); ++i)
+			for (int corner = 0; corner < 3; ++corner) {
+				int& vertex = vertexOfCopy[triangles_(corner, kept[i])];
+				if (vertex < 0) {
+					vertex = static_cast<int>(copyOfVertex.size());
+					copyOfVertex.push_back(triangles_(corner, kept[i]));
+				}
+				mesh.triangles(corner, i) = vertex;
+			}
+		mesh.positions.resize(3, copyOfVertex.size());
+		mesh.vertexSelected.resize(copyOfVertex.size());
+		for (std::size_t vertex = 0; vertex < copyOfVertex.size(); ++vertex) {
+			mesh.positions.col(vertex) = position(copyOfVertex[vertex]);
+			mesh.vertexSelected[vertex] = assembly_.placeFixed[assembly_.placeOfCopy[copyOfVertex[vertex]]];
+		}
+		mesh.triangleSelected.assign(kept.size(), 0);
+		mesh.face.resize(kept.size());
+		std::iota(mesh.face.begin(), mesh.face.end(), 0);
+		mesh.leastHeightRatio = assembly_.leastHeightRatio;
+		PatchOptions options;
+		options.fixSelected = true;
+		CoarseAssembly result{assemblePatches(mesh, options), {}, {}};
+		result.finePlace.resize(result.assembly.placeCount());
+		for (std::size_t vertex = 0; vertex < copyOfVertex.size(); ++vertex)
+			result.finePlace[result.assembly.placeOfVertex[vertex]] =
+				assembly_.placeOfCopy[copyOfVertex[vertex]];
+		result.finePatch.resize(result.assembly.patchCount());
+		for (int t = 0; t < result.assembly.triangleCount(); ++t)
+			result.finePatch[result.assembly.patchOfTriangle[t]] =
+				assembly_.patchOfTriangle[kept[result.assembly.faceOfTriangle[t]]];
+		return result;
+	}
+
+	const PatchAssembly& assembly_;
+	Eigen::Matrix3Xi triangles_; // copies
+	std::vector<char> alive_;
+	std::vector<int> target_;
+	int placeCount_;
+	std::vector<std::vector<int>> fans_, copies_; // triangles of a copy, copies of a place
+	std::vector<std::array<int, 2>> curveNeighbours_;
+	std::vector<char> corner_, removed_, locked_;
+};
+
+} // namespace developable::detail

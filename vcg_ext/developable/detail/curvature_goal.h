@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// curvature_goal.h: what the constrained Newton method has to reach, and how its parts say where they ended.
+#pragma once
+
+#include "../angle_defect.h"
+#include "../progress.h"
+#include "../report.h"
+
+#include <cmath>
+
+namespace developable::detail {
+
+/// When a patch counts as developable.
+struct CurvatureGoal {
+	double curvatureTolerance, angleTolerance;
+
+	/// Per patch, whether it is not there yet.
+	Eigen::Array<bool, Eigen::Dynamic, 1> unmetPatches(const PatchAssembly& assembly,
+													   const Eigen::VectorXd& defects) const {
+		Eigen::ArrayXd curvature = Eigen::ArrayXd::Zero(assembly.patchCount()), greatest = curvature;
+		for (int copy = 0; copy < assembly.copyCount(); ++copy) {
+			const int patch = assembly.patchOfCopy[copy];
+			curvature[patch] += std::abs(defects[copy]);
+			greatest[patch] = std::max(greatest[patch], std::abs(defects[copy]));
+		}
+		return !(curvature <= curvatureTolerance && greatest <= angleTolerance);
+	}
+
+	/// How far the curvature has come on its way down to the tolerance, 0 to 1: each tenth of it counts
+	/// alike.
+	double shareRemoved(double startCurvature, double curvature) const {
+		const double whole = std::log(startCurvature / curvatureTolerance);
+		const double done = std::log(startCurvature / std::max(curvature, curvatureTolerance));
+		return whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0;
+	}
+};
+
+/// How far a place may go, as a share of the object's diagonal, in a shape that is developable and in one
+/// that is not: further away it is not a shape near the original any more.
+inline constexpr double farthestShareReached = 0.22, farthestShare = 0.2;
+
+/// The diagonal of the original's box.
+inline double diagonal(const PatchAssembly& assembly) {
+	const Positions& original = assembly.originalPositions;
+	return (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
+}
+
+/// How far the farthest place is from where it was.
+inline double farthestDisplacement(const PatchAssembly& assembly, const Positions& positions) {
+	return (positions - assembly.originalPositions).colwise().norm().maxCoeff();
+}
+
+/// How one level of the method, or a part of it, ended.
+struct NewtonOutcome {
+	Status status = Status::Stalled;
+	int iterations = 0; ///< on this level
+	Positions positions;
+	double smoothness = 0; ///< the largest α that a patch was given
+};
+
+inline std::string describeCurvature(double curvature, int steps) {
+	return "Total absolute curvature " + std::to_string(curvature) + " rad after " + std::to_string(steps) +
+		   " steps";
+}
+
+} // namespace developable::detail

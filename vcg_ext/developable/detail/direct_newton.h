@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// direct_newton.h: the constrained Newton method on one level, with more smoothness where it leads nowhere.
+#pragma once
+
+#include "newton_attempt.h"
+
+namespace developable::detail {
+
+/// Up to four attempts from the same start: patches that end where they are not developable are tried again
+/// with 4, 16 and 64 times the smoothness. \return the best shape that was found; the start when none is
+/// better
+inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Positions& start, double smoothness,
+								   const CurvatureGoal& goal, int maxIterations, const Progress& progress) {
+	Eigen::VectorXd smoothnesses = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness);
+	const bool held =
+		std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
+	Eigen::VectorXd defects = angleDefects(assembly, start);
+	const double curvatureBefore = defects.cwiseAbs().sum();
+	double least = detectFunction(defects);
+	NewtonOutcome best;
+	best.positions = start;
+	for (int attempt = 0; attempt < 4; ++attempt) {
+		NewtonAttempt run(assembly, smoothnesses, goal, progress);
+		const NewtonOutcome outcome = run.run(start, maxIterations - best.iterations);
+		best.iterations += outcome.iterations;
+		best.status = outcome.status;
+		if (outcome.status == Status::Stopped)
+			break;
+		defects = angleDefects(assembly, outcome.positions);
+		// A little less curvature is not worth the greater distance of a second attempt.
+		const bool better = detectFunction(defects) < (attempt == 0 ? 1 : 0.1) * least;
+		if (better && (held || defects.cwiseAbs().sum() < curvatureBefore)) {
+			least = detectFunction(defects);
+			best.positions = outcome.positions;
+			best.smoothness = smoothnesses.maxCoeff();
+		}
+		if (outcome.status != Status::Stalled)
+			break;
+		smoothnesses = goal.unmetPatches(assembly, defects).select(4 * smoothnesses, smoothnesses);
+	}
+	return best;
+}
+
+} // namespace developable::detail

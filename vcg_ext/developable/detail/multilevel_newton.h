@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// multilevel_newton.h: the constrained Newton method from coarse to fine.
+#pragma once
+
+#include "direct_newton.h"
+#include "normal_steps.h"
+#include "prolongation.h"
+
+namespace developable::detail {
+
+/// Large patches are first solved with a quarter of their vertices, in the same way. That solution's
+/// displacement, carried over smoothly, brings the fine patches to where little curvature is left, and all of
+/// it of short waves: steps along the normals take it away. What they can't take, shortest steps in all three
+/// directions may.
+class MultilevelNewton {
+public:
+	MultilevelNewton(double smoothness, const CurvatureGoal& goal, int maxIterations)
+		: smoothness_(smoothness), goal_(goal), maxIterations_(maxIterations) {}
+
+	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
+						const Progress& progress) const {
+		if (assembly.placeCount() <= coarsest)
+			return solveDirectly(assembly, start, smoothness_, goal_, maxIterations_, progress);
+		const CoarseAssembly coarse =
+			Coarsening(assembly).coarsen(std::max(coarsest, assembly.placeCount() / ratio));
+		if (coarse.assembly.placeCount() > leastReduction * assembly.placeCount())
+			return solveDirectly(assembly, start, smoothness_, goal_, maxIterations_, progress);
+		const Positions coarseStart = coarse.assembly.originalPositions +
+									  (start - assembly.originalPositions)(Eigen::all, coarse.finePlace);
+		const NewtonOutcome coarseOutcome =
+			solve(coarse.assembly, coarseStart, part(progress, 0, coarseShare));
+		if (coarseOutcome.status == Status::Stopped)
+			return coarseOutcome;
+		return refine(assembly, coarse, coarseOutcome, part(progress, coarseShare, 1));
+	}
+
+private:
+	static constexpr int coarsest = 1500;         ///< so few places are solved directly
+	static constexpr int ratio = 4;               ///< between the numbers of places of two levels
+	static constexpr double leastReduction = 0.7; ///< else a level is not worth its while
+	static constexpr double coarseShare = 0.2;    ///< of a level's work that the coarser levels are
+
+	NewtonOutcome refine(const PatchAssembly& assembly, const CoarseAssembly& coarse,
+						 const NewtonOutcome& coarseOutcome, const Progress& progress) const {
+		const Positions displacement =
+			prolonged(assembly, coarse, coarseOutcome.positions - coarse.assembly.originalPositions);
+		const Positions begin = soundStart(assembly, displacement);
+		// With a coarse solution at hand what is left to do is little; without one, more may do harm.
+		const double farthest =
+			converged(coarseOutcome.status)
+				? diagonal(assembly)
+				: std::max(farthestShare * diagonal(assembly), farthestDisplacement(assembly, begin));
+		NewtonOutcome outcome =
+			NormalSteps(assembly, smoothness_, goal_, progress).run(begin, farthest, maxIterations_);
+		outcome.smoothness = coarseOutcome.smoothness;
+		if (outcome.status == Status::Stalled && converged(coarseOutcome.status)) {
+			const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_);
+			const int steps = outcome.iterations;
+			outcome = NewtonAttempt(assembly, smoothness, goal_, progress)
+						  .landFrom(outcome.positions, maxIterations_ - steps);
+			outcome.iterations += steps;
+		}
+		return outcome;
+	}
+
+	/// The whole displacement, or as much of it as leaves the triangles in order.
+	static Positions soundStart(const PatchAssembly& assembly, const Positions& displacement) {
+		const Soundness soundness(assembly);
+		double share = 1;
+		while (share > 1e-3 && !soundness.holds(assembly.originalPositions + share * displacement))
+			share /= 2;
+		return assembly.originalPositions + share * displacement;
+	}
+
+	static Progress part(const Progress& progress, double begin, double end) {
+		if (!progress)
+			return {};
+		return [=](double fraction, const std::string& message) {
+			return progress(begin + fraction * (end - begin), message);
+		};
+	}
+
+	const double smoothness_;
+	const CurvatureGoal goal_;
+	const int maxIterations_;
+};
+
+} // namespace developable::detail

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// normal_steps.h: to g = 0 by small steps along the normals, from a shape that is nearly there.
+#pragma once
+
+#include "curvature_goal.h"
+#include "multiplier_solver.h"
+#include "soundness.h"
+#include "vertex_normals.h"
+
+namespace developable::detail {
+
+/// Steps s = N u along the places' normals N with the least |g + J N u|² + ε ‖N u‖²_W: one unknown a place
+/// and one factorisation a step, whose pattern never changes. Moves along the surface hardly change
+/// curvature, so little is lost where only what is left of it has to go; what has to move far is moved on a
+/// coarser level. ε falls with every step that does what it should and rises with those that don't (Levenberg
+/// and Marquardt).
+class NormalSteps {
+public:
+	NormalSteps(const PatchAssembly& assembly, double smoothness, const CurvatureGoal& goal,
+				const Progress& progress)
+		: assembly_(assembly), goal_(goal), progress_(progress),
+		  metric_(assembly, Eigen::VectorXd::Constant(assembly.patchCount(), smoothness)),
+		  jacobian_(assembly, metric_.placeMass()), soundness_(assembly),
+		  metricMatrix_(metric_.matrix().selfadjointView<Eigen::Lower>()) {}
+
+	/// \param farthest  how far from the original a place may go, length
+	NewtonOutcome run(const Positions& start, double farthest, int maxIterations) {
+		NewtonOutcome outcome;
+		farthest_ = farthest;
+		moveTo(start);
+		startCurvature_ = defects_.cwiseAbs().sum();
+		outcome.status = iterate(maxIterations);
+		outcome.iterations = iterations_;
+		outcome.positions = positions_;
+		return outcome;
+	}
+
+private:
+	static constexpr double firstShare = 0.01; ///< of ‖N u‖²_W in the first system's trace
+	static constexpr int chordLimit = 6;       ///< steps with one factorisation
+	static constexpr int idleLimit = 5;        ///< steps in a row that remove less than 2 % of |g|²
+
+	Status iterate(int maxIterations) {
+		for (int idle = 0; !reached_;) {
+			if (!mayGoOnNow())
+				return Status::Stopped;
+			if (iterations_ == maxIterations)
+				return Status::LimitReached;
+			++iterations_;
+			const double before = scaled_.squaredNorm();
+			const double length = factorize() ? stepsWithOneFactorization() : 0;
+			const double share = scaled_.squaredNorm() / before;
+			idle = share > 0.98 ? idle + 1 : 0;
+			if (idle == idleLimit)
+				return Status::Stalled;
+			epsilon_ *= share < 0.1 ? 0.1 : share < 0.5 ? 0.3 : length == 0 ? 16 : length < 0.3 ? 4 : 1;
+		}
+		return Status::Converged;
+	}
+
+	void moveTo(const Positions& positions) {
+		positions_ = positions;
+		defects_ = angleDefects(assembly_, positions);
+		scaled_ = jacobian_.scaled(defects_);
+		reached_ = !goal_.unmetPatches(assembly_, defects_).any();
+	}
+
+	/// Of NᵀJᵀJN + ε NᵀWN at the present positions.
+	bool factorize() {
+		jacobian_.linearize(positions_);
+		normals_ = placeNormals(assembly_, positions_);
+		along_ = jacobian_.along(normals_);
+		SparseMatrix system = along_.transpose() * along_;
+		SparseMatrix metric = metricMatrix_;
+		for (int place = 0; place < metric.outerSize(); ++place)
+			for (SparseMatrix::InnerIterator entry(metric, place); entry; ++entry)
+				entry.valueRef() *= normals_.col(entry.row()).dot(normals_.col(place));
+		if (epsilon_ == 0)
+			epsilon_ = firstShare * system.diagonal().sum() / metric.diagonal().sum();
+		system += epsilon_ * metric;
+		return factorization_.factorize(SparseMatrix(system.triangularView<Eigen::Lower>()));
+	}
+
+	/// A first step with line search, then chords: full steps with new right-hand sides, as long as each
+	/// removes half of |g|². \return the first step's length, 0 when none was any good
+	double stepsWithOneFactorization() {
+		const double length = tryStep(8);
+		for (int chord = 1; chord < chordLimit && length > 0 && !reached_ && mayGoOnNow(); ++chord) {
+			const double before = scaled_.squaredNorm();
+			if (tryStep(1) == 0 || scaled_.squaredNorm() > 0.5 * before)
+				break;
+		}
+		return length;
+	}
+
+	double tryStep(int lengths) {
+		const Eigen::VectorXd amount = factorization_.solve(Eigen::VectorXd(-(along_.transpose() * scaled_)));
+		const double before = scaled_.squaredNorm();
+		double length = 1;
+		for (int i = 0; i < lengths; ++i, length /= 2) {
+			const Positions candidate = positions_ + normals_ * (length * amount).asDiagonal();
+			if (farthestDisplacement(assembly_, candidate) > farthest_ || !soundness_.holds(candidate) ||
+				!(jacobian_.scaled(angleDefects(assembly_, candidate)).squaredNorm() <
+				  (1 - 1e-4 * length) * before))
+				continue;
+			moveTo(candidate);
+			return length;
+		}
+		return 0;
+	}
+
+	bool mayGoOnNow() const {
+		return mayGoOn(progress_, goal_.shareRemoved(startCurvature_, defects_.cwiseAbs().sum()),
+					   describeCurvature(defects_.cwiseAbs().sum(), iterations_));
+	}
+
+	const PatchAssembly& assembly_;
+	const CurvatureGoal goal_;
+	const Progress& progress_;
+	BendingMetric metric_;
+	DefectJacobian jacobian_;
+	Soundness soundness_;
+	SparseMatrix metricMatrix_, along_; // W; J N
+	SparseCholesky factorization_;
+	Positions positions_, normals_;
+	Eigen::VectorXd defects_, scaled_; // g, and as the Jacobian scales it
+	double farthest_ = 0, startCurvature_ = 0, epsilon_ = 0;
+	int iterations_ = 0;
+	bool reached_ = false;
+};
+
+} // namespace developable::detail

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// prolongation.h: from the displacement of a coarse assembly to one of the fine assembly.
+#pragma once
+
+#include "bending_metric.h"
+#include "coarsening.h"
+
+namespace developable::detail {
+
+/// The displacement of all fine places that is nearest to a coarse one without bending on the scale of the
+/// coarse edges: with m_c the masses of the coarse places and n_c their number, it has the least
+///     Σ_c m_c |d_c − d̂_c|² + β ∫|d''|²,   β = 0.3 (A/n_c)²,
+/// so waves shorter than some five coarse edges are left out: they belong to the coarse triangulation.
+/// \return 3 x fine places
+inline Positions prolonged(const PatchAssembly& fine, const CoarseAssembly& coarse,
+						   const Positions& coarseDisplacement) {
+	const int coarseCount = coarse.assembly.placeCount();
+	const Eigen::VectorXd coarseMasses = placeMasses(coarse.assembly);
+	// A trifle of mass everywhere holds what the coarse places leave free.
+	Eigen::VectorXd masses = 1e-6 * placeMasses(fine);
+	Eigen::MatrixX3d pull = Eigen::MatrixX3d::Zero(fine.placeCount(), 3);
+	for (int place = 0; place < coarseCount; ++place) {
+		masses[coarse.finePlace[place]] += coarseMasses[place];
+		pull.row(coarse.finePlace[place]) = coarseMasses[place] * coarseDisplacement.col(place).transpose();
+	}
+	const Eigen::VectorXd smoothness =
+		Eigen::VectorXd::Constant(fine.patchCount(), 0.3 / (double(coarseCount) * coarseCount));
+	SparseCholesky factorization;
+	if (!factorization.factorize(BendingMatrix(fine, masses, smoothness).lower()))
+		return Positions::Zero(3, fine.placeCount());
+	return factorization.solve(Eigen::MatrixXd(pull)).transpose();
+}
+
+} // namespace developable::detail
