@@ -254,6 +254,7 @@ def section(methods: Study, tolerances: Study, spreads: Sequence[Spread]) -> str
     return (
         f"\n## {methods.source.what}\n\n"
         + comparison(methods, spreads[MEAN_EDGES.index(1.0)])
+        + f"![Angle defects](pictures/{name}.png)\n\n*Angle defect g (Eq. 5). {scale}*\n\n"
         + shown(methods, "Gaussian map", f"{name}_gaussian.png", f"Gaussian map g² (Fig. 5 to 7). {scale}")
         + shown(methods, "Distance", f"{name}_distance.png", "Distance to the original surface (Fig. 8).")
         + shown(methods, "Flat pattern", f"{name}_pattern.png", methods.figures[-1].caption)

@@ -88,7 +88,7 @@ def render(path: Path, pictures: Sequence[Picture], scale: ColourScale, view: Vi
         cax=bar,
         orientation="horizontal",
         extend="both" if scale.signed else "max",
-        ticks=MaxNLocator(5),
+        ticks=MaxNLocator(5 if len(pictures) > 1 else 3),
         format="%.3g",
     )
     colour_bar.set_label(scale.label, fontsize=16)

@@ -5,18 +5,16 @@ Screenshots are kept in build/screenshots.
 """
 
 import os
-import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
-from desktop import Desktop, keep, wait_for
+from desktop import Desktop, MeshLab, keep, stage, wait_for
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("DEVELOPABLE_BUILD", ROOT / "build"))
 SCREENSHOTS = BUILD / "screenshots"
 SHELL = ROOT / "meshes" / "dented_shell.ply"
-VIEW = np.s_[100:760, 10:850]  # the part of the window in which only the model shows
 
 # What is chosen as `map`, and how many parameters lie below it in the dialog.
 FILTERS = {
@@ -35,51 +33,7 @@ REPORTED = {
 
 @pytest.fixture(scope="module")
 def program():
-    """The stock MeshLab with the plugin in it; DEVELOPABLE_MESHLAB names another program."""
-    if "DEVELOPABLE_MESHLAB" in os.environ:
-        return os.environ["DEVELOPABLE_MESHLAB"]
-    steps = ". scripts/lib/common.sh; . scripts/lib/stage.sh; provide_stage; echo $stage/bin/meshlab"
-    result = subprocess.run(["bash", "-c", steps], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
-    return result.stdout.split()[-1]
-
-
-class MeshLab:
-    """MeshLab with one mesh open."""
-
-    def __init__(self, desktop, program, mesh):
-        self.desktop = desktop
-        desktop.run(program, str(mesh))
-        self.window = desktop.window("MeshLab")
-        self.wait_for_log("Opened mesh")
-
-    def log(self):
-        lines = self.desktop.printed("meshlab").splitlines()
-        return [line.split(" ", 2)[2] for line in lines if line.startswith("LOG: ") and line.count(" ") > 1]
-
-    def wait_for_log(self, beginning):
-        def look():
-            return [line for line in self.log() if line.startswith(beginning)]
-
-        return wait_for(f"'{beginning}' in the log", look)
-
-    def find(self, name):
-        """Through the search box, as a user who does not know the menu."""
-        self.desktop.still()
-        self.window.keys("ctrl+f")
-        self.window.write(name)
-        self.desktop.still()
-        self.desktop.xdotool("key", "Down")
-        self.desktop.xdotool("key", "Return")
-
-    def open(self, name):
-        self.find(name)
-        dialog = self.desktop.window(name)
-        self.desktop.still()
-        return dialog
-
-    def view(self):
-        self.desktop.xdotool("mousemove", "1270", "890")  # the pointer shows too
-        return self.desktop.still()[VIEW].astype(int)
+    return stage(ROOT)
 
 
 @pytest.fixture

@@ -163,6 +163,54 @@ class Desktop:
         return wait_for("a still screen", look)[0]
 
 
+def stage(root: Path) -> str:
+    """The stock MeshLab 2020.09 with the plugin in it; DEVELOPABLE_MESHLAB names another program."""
+    if "DEVELOPABLE_MESHLAB" in os.environ:
+        return os.environ["DEVELOPABLE_MESHLAB"]
+    steps = ". scripts/lib/common.sh; . scripts/lib/stage.sh; provide_stage; echo $stage/bin/meshlab"
+    result = subprocess.run(["bash", "-c", steps], cwd=root, stdout=subprocess.PIPE, text=True, check=True)
+    return result.stdout.split()[-1]
+
+
+class MeshLab:
+    """MeshLab with one mesh open."""
+
+    def __init__(self, desktop, program, mesh):
+        self.desktop = desktop
+        desktop.run(program, str(mesh))
+        self.window = desktop.window("MeshLab")
+        self.wait_for_log("Opened mesh")
+
+    def log(self):
+        lines = self.desktop.printed("meshlab").splitlines()
+        return [line.split(" ", 2)[2] for line in lines if line.startswith("LOG: ") and line.count(" ") > 1]
+
+    def wait_for_log(self, beginning):
+        def look():
+            return [line for line in self.log() if line.startswith(beginning)]
+
+        return wait_for(f"'{beginning}' in the log", look)
+
+    def find(self, name):
+        """Through the search box, as a user who does not know the menu."""
+        self.desktop.still()
+        self.window.keys("ctrl+f")
+        self.window.write(name)
+        self.desktop.still()
+        self.desktop.xdotool("key", "Down")
+        self.desktop.xdotool("key", "Return")
+
+    def open(self, name):
+        self.find(name)
+        dialog = self.desktop.window(name)
+        self.desktop.still()
+        return dialog
+
+    def view(self):
+        self.desktop.xdotool("mousemove", "1270", "890")  # the pointer shows too
+        return self.desktop.still()[100:760, 10:850].astype(int)
+
+
 def keep(picture: np.ndarray, file: Path) -> None:
     """Save a picture for people to look at."""
     file.parent.mkdir(parents=True, exist_ok=True)
