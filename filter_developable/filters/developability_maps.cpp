@@ -56,7 +56,8 @@ std::vector<ComputedMap> computeMaps(const PatchAssembly& assembly,
 		"The map '" + title +
 		"' needs the shape before an optimisation, and this mesh has no attribute "
 		"'original_position': run Global or Local Developability first, or choose another layer "
-		"as 'reference'.");
+		"as 'reference'. The attribute is lost when a mesh is saved and loaded again, as MeshLab reads "
+		"no attributes from files: then load the original too and choose it as 'reference'.");
 }
 
 const ComputedMap& find(const std::vector<ComputedMap>& maps, Map chosen, bool hasReference) {

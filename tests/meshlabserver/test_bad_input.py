@@ -114,3 +114,13 @@ def test_infinite_coordinates(tmp_path):
     positions[5] = np.inf
     run_positions = (positions, triangles)
     assert "infinite" in refusal(tmp_path, run_positions, mlx_scripts.filter_element(GLOBAL))
+
+
+def test_the_original_shape_is_lost_in_a_file(tmp_path):
+    source, saved = server.save_mesh(tmp_path / "in.ply", *bump()), tmp_path / "out.ply"
+    script = mlx_scripts.write_script(tmp_path / "run.mlx", mlx_scripts.filter_element(GLOBAL))
+    assert server.run(script, source, saved).exit_code == 0
+    script = mlx_scripts.write_script(tmp_path / "maps.mlx", mlx_scripts.filter_element(MAPS, map="Distance"))
+    run = server.run(script, saved, tmp_path / "maps.ply")
+    assert run.exit_code == 255
+    assert "load the original too and choose it as 'reference'" in run.printed

@@ -3,6 +3,7 @@
 
 import measures
 import numpy as np
+import pymeshlab
 import pytest
 from mesh_sets import GLOBAL, MAPS, attribute_of, has_attribute, mesh_set, optimized, positions_of, quality_of
 from meshlab_developable.colours import colour_range, map_colours
@@ -178,6 +179,20 @@ def test_after_an_optimisation_the_current_layer_is_its_own_reference():
     np.testing.assert_allclose(
         attribute_of(meshes, "displacement"), np.linalg.norm(positions - original, axis=1), atol=1e-12
     )
+
+
+def test_the_original_shape_is_lost_in_a_file_and_the_message_says_what_to_do(tmp_path):
+    original, triangles = bump()
+    meshes, _ = optimized((original, triangles), GLOBAL, map="Distance")
+    expected = quality_of(meshes)
+    meshes.save_current_mesh(str(tmp_path / "optimised.ply"))
+    loaded = mesh_set((original, triangles))
+    loaded.load_new_mesh(str(tmp_path / "optimised.ply"))
+    assert not has_attribute(loaded, "original_position")  # if hosts learn to keep it, the message is wrong
+    with pytest.raises(pymeshlab.PyMeshLabException, match="load the original too and choose it as 'ref"):
+        loaded.apply_filter(MAPS, map="Distance")
+    loaded.apply_filter(MAPS, map="Distance", reference=0)
+    np.testing.assert_allclose(quality_of(loaded), expected, atol=1e-6)
 
 
 def test_another_layer_as_reference():
