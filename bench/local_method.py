@@ -20,70 +20,106 @@ OPTIONS = {
     "the paper's": {},
     "descent": {"descent": True},
     "smoothing 0.01": {"smoothing": 0.01},
-    "descent, smoothing 0.1": {"descent": True, "smoothing": 0.1},
     "descent, seams move together": {"descent": True, "assembling_vertices": "Move together"},
     "no self-intersections": {"avoid_self_intersections": True},
+    "descent, no self-intersections": {"descent": True, "avoid_self_intersections": True},
 }
+SMOOTHINGS = (0.003, 0.01, 0.03, 0.1)
+DISPLACEMENTS = (0.125, 0.25, 0.5, 1, 2)  # δ_T, mean edge lengths
+
+QUALITY = ("G/G0", "C", "roughness", "mean move", "distance")  # as Model.quality has them
 
 Report = dict[str, float]
 
 
-def run(mesh: str, **parameters: object) -> Report:
-    """The filter's report on a mesh."""
-    meshes = pymeshlab.MeshSet()
-    meshes.load_new_mesh(mesh)
-    return meshes.apply_filter(FILTER, angle_tolerance=TOLERANCE, **parameters)
+class Model:
+    """A mesh, and the filter on it."""
+
+    def __init__(self, path: str) -> None:
+        """Read it once to know its mean edge length."""
+        self.path = path
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(path)
+        self.mean_edge = meshes.apply_filter("get_geometric_measures")["avg_edge_length"]
+
+    def run(self, displacement: float = 1, **parameters: object) -> Report:
+        """The filter's report; δ_T in mean edge lengths."""
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(self.path)
+        limit = pymeshlab.PureValue(displacement * self.mean_edge)
+        return meshes.apply_filter(FILTER, angle_tolerance=TOLERANCE, max_displacement=limit, **parameters)
+
+    def run_down_to(self, detect_function: float, **parameters: object) -> Report:
+        """The report of the shortest run whose G ends no higher: G never rises with the operations."""
+        too_few, enough = 0, 500_000
+        report = self.run(**parameters)
+        while enough - too_few > 1:
+            middle = (too_few + enough) // 2
+            shorter = self.run(max_operations=middle, **parameters)
+            if shorter["detect_function_after"] > detect_function:
+                too_few = middle
+            else:
+                enough, report = min(middle, int(shorter["iterations"])), shorter
+        return report
+
+    def seconds(self, **parameters: object) -> float:
+        """The least of three runs."""
+        return min(self.run(**parameters)["seconds"] for _ in range(3))
+
+    def quality(self, report: Report) -> str:
+        """The cells of a table that QUALITY names."""
+        return (
+            f"{report['detect_function_after'] / report['detect_function_before']:.3f} "
+            f"| {report['total_absolute_curvature_after']:.2f} "
+            f"| {math.degrees(report['roughness_after']):.2f} "
+            f"| {report['mean_displacement'] / self.mean_edge:.3f} "
+            f"| {report['max_distance'] / self.mean_edge:.2f}"
+        )
 
 
-def run_down_to(mesh: str, detect_function: float, **parameters: object) -> Report:
-    """The report of the shortest run whose G ends no higher: G never rises with the number of operations."""
-    too_few, enough = 0, 500_000
-    report = run(mesh, **parameters)
-    while enough - too_few > 1:
-        middle = (too_few + enough) // 2
-        shorter = run(mesh, max_operations=middle, **parameters)
-        if shorter["detect_function_after"] > detect_function:
-            too_few = middle
-        else:
-            enough, report = min(middle, int(shorter["iterations"])), shorter
-    return report
+def print_header(*columns: str) -> None:
+    """The first two lines of a table."""
+    print("\n| " + " | ".join(columns) + " |\n" + "|---" * len(columns) + "|")
 
 
-def line(name: str, report: Report) -> str:
-    """One line of a table."""
-    return (
-        f"| {name} | {report['detect_function_after'] / report['detect_function_before']:.3f} "
-        f"| {report['developability_after']:.3f} | {report['total_absolute_curvature_after']:.2f} "
-        f"| {math.degrees(report['roughness_after']):.2f} | {report['mean_displacement']:.4f} "
-        f"| {report['max_displacement']:.3f} | {report['iterations']} | {report['set_aside']} "
-        f"| {report['refused_moves']} | {report['seconds']:.2f} |"
-    )
-
-
-def print_options(mesh: str) -> None:
-    """Each option on one mesh; then smoothing against none at equal G."""
-    start = run(mesh, max_operations=0)
-    print(
-        f"\n{Path(mesh).stem}: D {start['developability_before']:.3f}, "
-        f"C {start['total_absolute_curvature_before']:.2f} rad, "
-        f"roughness {math.degrees(start['roughness_before']):.2f}° before\n"
-    )
-    print(
-        "| options | G/G0 | D | C, rad | roughness, ° | mean move | largest | visits | aside | refused | s |"
-    )
-    print("|---" * 11 + "|")
+def print_options(model: Model) -> None:
+    """Each option on one mesh, with the time it takes as a multiple of the paper's."""
+    print_header("options", *QUALITY, "D", "visits", "aside", "refused", "time")
+    paper = model.seconds()
     for name, parameters in OPTIONS.items():
-        print(line(name, run(mesh, **parameters)), flush=True)
-    for smoothing in (0.01, 0.1):
-        smooth = run(mesh, descent=True, smoothing=smoothing)
-        plain = run_down_to(mesh, smooth["detect_function_after"], descent=True)
-        print(line(f"descent, no smoothing, as far as with {smoothing}", plain), flush=True)
+        report = model.run(**parameters)
+        print(
+            f"| {name} | {model.quality(report)} | {report['developability_after']:.3f} "
+            f"| {report['iterations']} | {report['set_aside']} | {report['refused_moves']} "
+            f"| {model.seconds(**parameters) / paper:.1f} |",
+            flush=True,
+        )
+
+
+def print_smoothing(model: Model) -> None:
+    """Smoothing against none, at the end of the run and at equal G."""
+    print_header("smoothing", *QUALITY)
+    print(f"| 0 | {model.quality(model.run(descent=True))} |")
+    for smoothing in SMOOTHINGS:
+        smooth = model.run(descent=True, smoothing=smoothing)
+        plain = model.run_down_to(smooth["detect_function_after"], descent=True)
+        print(f"| {smoothing} | {model.quality(smooth)} |")
+        print(f"| 0, down to the G of {smoothing} | {model.quality(plain)} |", flush=True)
+
+
+def print_seams(model: Model) -> None:
+    """Seams that move together against fixed ones, at growing δ_T."""
+    print_header("δ_T", "seams", *QUALITY)
+    for displacement in DISPLACEMENTS:
+        for seams in ("Fixed", "Move together"):
+            report = model.run(displacement, descent=True, assembling_vertices=seams)
+            print(f"| {displacement} | {seams} | {model.quality(report)} |", flush=True)
 
 
 def print_costs(executable: str) -> None:
     """Nanoseconds an operation at growing sizes."""
-    print("| vertices | ns an operation | operations a second | ns without self-intersections | times |")
-    print("|---|---|---|---|---|")
+    print("\nNanoseconds an operation")
+    print_header("vertices", "ns", "operations a second", "ns without self-intersections", "times")
     output = subprocess.run([executable], check=True, capture_output=True, text=True).stdout
     for vertices, plain, avoiding in (map(float, row.split()) for row in output.splitlines()):
         print(
@@ -92,12 +128,21 @@ def print_costs(executable: str) -> None:
 
 
 def main() -> None:
-    """Print the tables."""
+    """Print the tables. Lengths are in mean edge lengths, roughness in degrees, C in rad."""
     meshlab_developable.load()
     models = [str(MODELS / f"{name}.obj") for name in ("dented_shell", "shoe_upper", "short_pants")]
-    for mesh in sys.argv[2:] or models:
-        print_options(mesh)
-    print()
+    for path in sys.argv[2:] or models:
+        model = Model(path)
+        start = model.run(max_operations=0)
+        print(
+            f"\n{Path(path).stem}: D {start['developability_before']:.3f}, "
+            f"C {start['total_absolute_curvature_before']:.2f} rad, "
+            f"roughness {math.degrees(start['roughness_before']):.2f}° before"
+        )
+        print_options(model)
+        print_smoothing(model)
+        if start["assembling_vertices"] > 0:
+            print_seams(model)
     print_costs(sys.argv[1])
 
 

@@ -18,15 +18,15 @@ namespace developable::plugin {
 namespace {
 
 /// What the log says of the status: never D without C, as D says little on fine meshes.
-std::string statusInWords(Status status, const Measures& before, const Measures& after,
+std::string statusInWords(const OptimizationReport& report, const Measures& before, const Measures& after,
 						  double angleTolerance) {
-	std::string words = describe(status) + "; D: " + formatted(100 * after.developability, 4) +
+	std::string words = describe(report) + "; D: " + formatted(100 * after.developability, 4) +
 						" % of the area is developable within " + formatted(angleTolerance, 4) +
 						" rad; C: " + formatted(after.totalAbsoluteCurvature, 4) +
 						" rad of total absolute curvature is left of " +
 						formatted(before.totalAbsoluteCurvature, 4);
 	// A flattened panel is strained by up to a third of C: beyond a thousandth that shows.
-	if (converged(status) && after.totalAbsoluteCurvature > 3e-3)
+	if (converged(report.status) && after.totalAbsoluteCurvature > 3e-3)
 		words += "; every vertex passes, but they add up: lower angle_tolerance to come nearer to a "
 				 "developable shape";
 	return words;
@@ -93,8 +93,8 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	addChanges(results, assembly, result.positions);
 	results.push_back({"iterations", static_cast<int>(report.iterations), ""});
 	results.push_back({"converged", converged(report.status), ""});
-	results.push_back({"status", static_cast<int>(report.status),
-					   statusInWords(report.status, before, after, angleTolerance)});
+	results.push_back(
+		{"status", static_cast<int>(report.status), statusInWords(report, before, after, angleTolerance)});
 	if (report.status != Status::Stopped)
 		write(call, assembly, result.positions);
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -93,7 +93,7 @@ FilterDescription localDevelopability() {
 		boolParameter(
 			"avoid_self_intersections", false, "Avoid self-intersections",
 			"Shorten or refuse moves that would make the surface cut itself, which the paper leaves open "
-			"(Section 7). Takes four to six times as long."),
+			"(Section 7). Takes two to four times as long."),
 		mapParameter(),
 		colorizeParameter(),
 	};

@@ -15,6 +15,11 @@ Measures measured(const PatchAssembly& assembly, const Positions& positions) {
 	return measure(assembly, positions, 1e-4);
 }
 
+/// A cap that the paper's method does not finish.
+PatchAssembly hardCase() {
+	return assembled(jitteredGrid(11, 11, sphereCap(1.0)));
+}
+
 TEST(LocalState, DerivativeOfTAgreesWithDifferences) {
 	const PatchAssembly assembly = assembled(jitteredGrid(7, 7, bumpedCylinder));
 	detail::LocalState state(assembly, assembly.originalPositions, AssemblingVertices::Fixed);
@@ -104,6 +109,7 @@ TEST(LocalMethod, RepairsADentInASheet) {
 	options.angleTolerance = 0.01;
 	const LocalMethodReport report = localMethod(assembly, positions, options);
 	EXPECT_EQ(report.status, Status::Converged);
+	EXPECT_EQ(describe(report), "converged");
 	EXPECT_LE(measured(assembly, positions).maxAngleDefect, 0.01);
 	EXPECT_GT(measured(assembly, assembly.originalPositions).maxAngleDefect, 0.01);
 }
@@ -155,12 +161,25 @@ TEST(LocalMethod, EndsAtOnceWhenNothingMayMoveFar) {
 	options.maxDisplacement = 0;
 	const LocalMethodReport report = localMethod(assembly, positions, options);
 	EXPECT_EQ(report.status, Status::Stalled);
+	EXPECT_EQ(describe(report), "stalled: within the tolerance nothing can move any more");
 	const auto undevelopable =
 		(angleDefects(assembly, positions).array().abs() > options.angleTolerance).count();
 	EXPECT_GT(undevelopable, 20);
 	EXPECT_EQ(report.setAside, undevelopable);
 	EXPECT_EQ(report.iterations, undevelopable);
 	EXPECT_EQ(positions, assembly.originalPositions);
+}
+
+TEST(LocalMethod, SaysWhenItHasFoundNothingBetterForLong) {
+	const PatchAssembly assembly = hardCase();
+	LocalMethodOptions options;
+	options.angleTolerance = 1e-9;
+	Positions positions = assembly.originalPositions;
+	const LocalMethodReport report = localMethod(assembly, positions, options);
+	EXPECT_EQ(report.status, Status::Stalled);
+	EXPECT_EQ(describe(report), "stalled: the last 20 operations a movable vertex have not lowered G");
+	EXPECT_GT(report.iterations, 20 * 81);
+	EXPECT_LT(report.iterations, options.maxOperations);
 }
 
 TEST(LocalMethod, GivesTheSameResultOnEveryRunAndForAnyScale) {
@@ -245,11 +264,6 @@ TEST(LocalMethod, EqualsTheSlowOneBetweenSeamsAndWhereVerticesAreEquallyBad) {
 	ASSERT_EQ(defects[2 * 9 + 6], defects[6 * 9 + 2]);
 	for (const double displacement : {0.01, 0.2})
 		expectEqualToSlow(assembly, displacement, 1e-4);
-}
-
-/// A cap that the paper's method does not finish.
-PatchAssembly hardCase() {
-	return assembled(jitteredGrid(11, 11, sphereCap(1.0)));
 }
 
 TEST(LocalMethod, DescentLowersTWithEveryMoveAndEndsByItself) {

@@ -21,6 +21,7 @@ enum class Status {
 struct OptimizationReport {
 	Status status = Status::NothingToDo;
 	long iterations = 0; ///< outer steps of the global methods, operations attempted of the local method
+	std::string reason;  ///< for the status, in a few words, where there is more to say than it does
 };
 
 /// True when the run ended in a developable shape, as that method's tolerances have it.
@@ -45,6 +46,11 @@ inline std::string describe(Status status) {
 		return "nothing to do: developable from the start";
 	}
 	return "unknown";
+}
+
+/// The status in a few words, for the reason that the run gave.
+inline std::string describe(const OptimizationReport& report) {
+	return report.reason.empty() ? describe(report.status) : report.reason;
 }
 
 } // namespace developable

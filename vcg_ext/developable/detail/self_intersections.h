@@ -14,7 +14,7 @@ namespace developable::detail {
 class SelfIntersections {
 public:
 	/// \param reach  how far a place may move from its start, length; 0: never asked
-	SelfIntersections(const LocalMesh& mesh, double reach) : mesh_(mesh), reach_(reach) {
+	SelfIntersections(const LocalMesh& mesh, double reach) : mesh_(mesh) {
 		if (reach == 0)
 			return;
 		copies_.resize(3, mesh.triangles.size() / 3);
@@ -22,13 +22,12 @@ public:
 			for (int i = mesh.copies[copy].firstCorner; i < mesh.copies[copy + 1].firstCorner; ++i)
 				copies_(mesh.corners[i].number, mesh.triangles[i]) = copy;
 		std::vector<int> numbers;
-		std::vector<Eigen::AlignedBox3d> swept;
 		for (int t = 0; t < copies_.cols(); ++t) {
 			numbers.push_back(t);
 			boxes_.push_back(triangle(t).box);
-			swept.push_back(sweptBox(t));
+			swept_.push_back(sweptBox(t, reach));
 		}
-		tree_.init(numbers.begin(), numbers.end(), swept.begin(), swept.end());
+		tree_.init(numbers.begin(), numbers.end(), swept_.begin(), swept_.end());
 		candidates_.resize(mesh.placeCount());
 	}
 
@@ -76,11 +75,11 @@ private:
 	}
 
 	/// The box that a triangle cannot leave, for its corners move along their normals and not far.
-	Eigen::AlignedBox3d sweptBox(int index) const {
+	Eigen::AlignedBox3d sweptBox(int index, double mostReach) const {
 		Eigen::AlignedBox3d box;
 		for (const int copy : copies_.col(index)) {
 			const LocalMesh::Place& place = mesh_.places[mesh_.copies[copy].place];
-			const double reach = mesh_.copies[copy].movable ? reach_ : 0;
+			const double reach = mesh_.copies[copy].movable ? mostReach : 0;
 			box.extend(place.start - reach * place.normal);
 			box.extend(place.start + reach * place.normal);
 		}
@@ -97,7 +96,7 @@ private:
 
 		bool intersectVolume(const Eigen::AlignedBox3d& box) const { return near.intersects(box); }
 		bool intersectObject(int triangle) const {
-			if (near.intersects(all.sweptBox(triangle)))
+			if (near.intersects(all.swept_[triangle]))
 				found.push_back(triangle);
 			return false; // go on
 		}
@@ -109,22 +108,25 @@ private:
 		if (!list.empty())
 			return list;
 		Eigen::AlignedBox3d near;
-		mesh_.forEachCorner(place, [&](int i) { near.extend(sweptBox(mesh_.triangles[i])); });
-		Collector collector{*this, near, list};
+		mesh_.forEachCorner(place, [&](int i) { near.extend(swept_[mesh_.triangles[i]]); });
+		found_.clear();
+		Collector collector{*this, near, found_};
 		Eigen::BVIntersect(tree_, collector);
 		mesh_.forEachCorner(place, [&](int i) {
-			list.erase(std::remove(list.begin(), list.end(), mesh_.triangles[i]), list.end());
+			found_.erase(std::remove(found_.begin(), found_.end(), mesh_.triangles[i]), found_.end());
 		});
+		list = found_;
 		return list;
 	}
 
 	const LocalMesh& mesh_;
-	const double reach_;
 	Eigen::Matrix3Xi copies_;                  // of the triangles
 	std::vector<Eigen::AlignedBox3d> boxes_;   // of the triangles as they are now
-	Eigen::KdBVH<double, 3, int> tree_;        // of all that they can sweep
-	std::vector<PlacedTriangle> moved_;        // those at the place that moved last
+	std::vector<Eigen::AlignedBox3d> swept_;   // what they cannot leave
+	Eigen::KdBVH<double, 3, int> tree_;        // of those
 	std::vector<std::vector<int>> candidates_; // per place, made when first asked for
+	std::vector<PlacedTriangle> moved_;        // those at the place that moved last
+	std::vector<int> found_;                   // scratch
 };
 
 } // namespace developable::detail
