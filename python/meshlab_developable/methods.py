@@ -13,7 +13,7 @@ import numpy.typing as npt
 from meshlab_developable import mesh_sets, plugin
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import GLOBAL, LOCAL, MEASURE, Filter
-from meshlab_developable.mesh_sets import Array, Source
+from meshlab_developable.mesh_sets import Array, IndexArray, Source
 from meshlab_developable.reports import LocalReport, Measures, OptimizationReport
 
 METHODS: dict[str, tuple[Filter, type[OptimizationReport]]] = {
@@ -35,6 +35,7 @@ class Developed:
     """What `make_developable` returns."""
 
     vertices: Array  # n x 3, in the order given
+    faces: IndexArray  # m x 3, in the order given
     quality: Array  # n, the chosen map
     report: OptimizationReport  # for the local method a LocalReport
 
@@ -112,7 +113,8 @@ def make_developable(
     mesh = meshes.current_mesh()
     # Copies: what pymeshlab hands out dies with its set.
     positions = np.array(mesh.vertex_matrix())
-    return Developed(positions, plugin.vertex_quality(mesh), report_type.from_values(result))
+    faces = np.array(mesh.face_matrix())
+    return Developed(positions, faces, plugin.vertex_quality(mesh), report_type.from_values(result))
 
 
 def opened(
