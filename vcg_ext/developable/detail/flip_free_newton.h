@@ -102,7 +102,7 @@ public:
 	void lessenMeanStrain() {
 		if (energy_ <= isometricEnergy_)
 			return;
-		for (int iteration = 0; iteration < 5; ++iteration) {
+		for (int iteration = 0; iteration < 2; ++iteration) {
 			springs_.weighForMeanStrain(positions_, shareOfMeanStrain);
 			energy_ = springs_.guardedEnergy(positions_);
 			step();
