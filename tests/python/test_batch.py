@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import html.parser
 import json
 import shutil
@@ -333,6 +334,28 @@ def test_results_of_different_inputs_do_not_meet(tmp_path):
     for inputs in (found, find_inputs(tmp_path / "list.txt", tmp_path / "out")):
         assert len({item.stem.lower() for item in inputs}) == len(inputs)
         assert not any(Path(item.stem).is_absolute() or ".." in Path(item.stem).parts for item in inputs)
+
+
+def test_a_folder_serves_one_run_at_a_time(tmp_path):
+    (tmp_path / "out").mkdir()
+    with (tmp_path / "out" / ".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        result = batch(MODELS, "--out", tmp_path / "out")
+    assert result.exit_code == 2
+    assert "another run" in result.stderr
+
+
+def test_a_lost_scheduler_is_2_in_words_and_what_was_finished_stays(tmp_path, slow, monkeypatch):
+    monkeypatch.setenv("DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT", "2s")
+    source, out = copies(tmp_path / "in", 4), tmp_path / "out"
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
+        run = start(source, "--out", out, "--parameters", slow, "--scheduler", cluster.scheduler_address)
+        wait_for(lambda: list(out.glob("records/*.json")))
+    _, errors = run.communicate(timeout=120)
+    assert run.returncode == 2, errors
+    assert b"start the batch again" in errors
+    assert b"Traceback" not in errors
+    assert list(out.glob("records/*.json"))
 
 
 @pytest.mark.parametrize(

@@ -200,6 +200,31 @@ def test_values_of_a_script_arrive(tmp_path):
     assert np.array_equal(quality, plugin.vertex_quality(direct.current_mesh()))
 
 
+def test_report_makes_a_page(tmp_path):
+    pytest.importorskip("pyvista")
+    out = tmp_path / "report"
+    result = developable("report", ROOT / "meshes" / "sheet_bent.ply", "--out", out, "--unit", "cm")
+    assert result.exit_code == 0, result.output
+    assert "Global Developability" in (out / "report.html").read_text("utf-8")
+    assert str(out / "report.html") in result.stdout
+
+
+def test_report_of_a_bad_mesh_is_2_in_words(tmp_path):
+    pytest.importorskip("pyvista")
+    (tmp_path / "bad.ply").write_text(CLOSED)
+    result = developable("report", tmp_path / "bad.ply", "--out", tmp_path / "report")
+    assert result.exit_code == 2
+    assert "closed" in result.stderr
+
+
+def test_report_without_the_extra_says_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "meshlab_developable.demo.study", None)
+    monkeypatch.delitem(sys.modules, "meshlab_developable.demo.__main__", raising=False)
+    result = developable("report", SHOE, "--out", tmp_path / "report")
+    assert result.exit_code == 2
+    assert "[render]" in result.stderr
+
+
 def test_the_installed_command_has_the_version():
     command = Path(sys.executable).with_name("developable")
     printed = subprocess.run([command, "--version"], capture_output=True, text=True, check=True).stdout

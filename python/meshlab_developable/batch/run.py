@@ -91,6 +91,8 @@ def _work(client: Client, jobs: Sequence[Job], settings: Settings) -> Iterator[R
             if future.status == "finished":
                 # Dask would fetch the row from the worker, which may be dead by now.
                 yield read_record(job) or future.result()
+            elif future.status != "error":
+                raise DevelopableError("the scheduler is gone; start the batch again, and it goes on")
             else:
                 row = Row(job.name, State.CRASHED, f"the worker failed: {future.exception()}")
                 write_record(job, row, job.fingerprint())
@@ -104,10 +106,11 @@ def _work(client: Client, jobs: Sequence[Job], settings: Settings) -> Iterator[R
 def _client(scheduler: str | None, workers: int) -> Iterator[Client]:
     if scheduler is not None:
         try:
-            with Client(scheduler, timeout=30) as client:
-                yield client
+            made = Client(scheduler, timeout=30)
         except (OSError, ValueError) as error:
             raise DevelopableError(f"the scheduler {scheduler} cannot be used: {error}") from None
+        with made as client:
+            yield client
         return
     with (
         LocalCluster(
