@@ -79,6 +79,15 @@ def test_pattern_writes_what_it_names(tmp_path):
     assert piece["name"] == "sheet"
 
 
+def test_pattern_warns_of_panels_that_are_not_developable(tmp_path):
+    options = "--unit cm --format dxf --json"
+    result = developable("pattern", PANTS, "-o", tmp_path / "out", *options.split(" "))
+    assert result.exit_code == 0, result.output
+    strain, mismatch = json.loads(result.output)["notes"]
+    assert "make the panels developable first" in strain
+    assert mismatch.startswith("The sides of a seam differ by up to")
+
+
 def test_pattern_says_in_words_what_it_wrote(tmp_path):
     result = developable("pattern", SHEET, "-o", tmp_path / "out", "--page", "none", "--name", "a sheet")
     assert result.exit_code == 0, result.output

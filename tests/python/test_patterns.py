@@ -313,13 +313,14 @@ def test_a_hole_is_a_cutout_and_has_its_allowance_inside(tmp_path):
     assert areas == pytest.approx([50**2, 100**2])
 
 
-def test_without_an_allowance_both_lines_are_one(tmp_path):
+def test_without_an_allowance_both_lines_are_one(tmp_path, caplog):
     made = make_patterns(*two_bumps(), folder=tmp_path, unit=300, seam_allowance=0, formats=["dxf"])
     for layers in readers.read_dxf_blocks(tmp_path / "pattern.dxf").values():
         assert cut_polygon(layers).equals_exact(shapely.Polygon(sew_ring(layers)), 1e-6)
         notches = shapely.points(np.array([notch.coords[0][:2] for notch in layers["4"]]))
         assert len(notches) == len(made.seams[0].notches)
         assert shapely.distance(notches, cut_polygon(layers).exterior).max() < 1e-6
+    assert not caplog.records  # the libraries have nothing to complain of
 
 
 def test_the_grain_that_is_asked_for_stands_upright(tmp_path):

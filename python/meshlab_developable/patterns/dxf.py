@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 from ezdxf.addons import gerber_D6673
+from ezdxf.document import Drawing as Document
 from ezdxf.enums import TextEntityAlignment
-from ezdxf.filemanagement import new
 
 from meshlab_developable.mesh_sets import Array
 from meshlab_developable.patterns.drawing import Drawing, Layer, Motion
@@ -24,7 +24,7 @@ TURN = np.radians(20)  # a line that bends more at a point turns there, else it 
 
 def write_dxf(file: FilePath, title: str, drawings: Sequence[Drawing], motions: Sequence[Motion]) -> None:
     """Write each drawing as a block in its own frame, inserted by its motion. Millimetres."""
-    document = new("R12")
+    document = Document.new("R12")
     for layer in Layer:
         document.layers.add(str(layer.value))
     space = document.modelspace()

@@ -26,6 +26,7 @@ from meshlab_developable.patterns.pieces import Pieces, make_pieces
 from meshlab_developable.patterns.side_file import write_side_file
 from meshlab_developable.patterns.svg import write_svg
 
+NOTABLE_STRAIN, NOTABLE_MISMATCH = 0.01, 0.5  # of a length; mm
 OPTIONS = tuple(field.name for field in dataclasses.fields(PatternOptions))
 
 
@@ -85,9 +86,22 @@ def write_patterns(
         piece_names=tuple(piece.name for piece in pieces.pieces),
         sheets=tuple(sheet.size for sheet in sheets),
         seams=seams,
-        notes=pieces.notes,
+        notes=(*pieces.notes, *_strain_notes(flat, options)),
         flattening=flat,
     )
+
+
+def _strain_notes(flat: FlatteningResult, options: PatternOptions) -> list[str]:
+    report, notes = flat.report, []
+    if report.max_edge_strain > NOTABLE_STRAIN:
+        notes.append(
+            f"Laid flat, edges change by up to {100 * report.max_edge_strain:.2g} %, "
+            f"{100 * report.mean_edge_strain:.2g} % on average: make the panels developable first."
+        )
+    mismatch = report.max_seam_mismatch * options.millimetres
+    if mismatch > NOTABLE_MISMATCH:
+        notes.append(f"The sides of a seam differ by up to {mismatch:.2g} mm.")
+    return notes
 
 
 def _laid_out(pieces: Pieces, options: PatternOptions) -> list[Sheet]:
