@@ -323,6 +323,24 @@ def test_without_an_allowance_both_lines_are_one(tmp_path, caplog):
     assert not caplog.records  # the libraries have nothing to complain of
 
 
+def test_lines_of_the_model_are_on_the_pieces_that_they_run_over(tmp_path):
+    """A line across the seam of two sheets, along a row of their grids."""
+    positions, triangles = two_bumps()
+    row = positions[5 * 13 : 6 * 13]  # of the one, from the seam on
+    line = np.vstack([(row * (-1, 1, 1))[::-1], row[1:]])
+    make_patterns(
+        positions, triangles, folder=tmp_path, unit=300, internal_lines=[line], formats=["dxf", "svg"]
+    )
+    for layers in readers.read_dxf_blocks(tmp_path / "pattern.dxf").values():
+        (drawn,) = layers["8"]
+        steps = np.linalg.norm(np.diff(row, axis=0), axis=1)
+        assert drawn.length == pytest.approx(300 * steps.sum(), rel=0.03)
+        assert len(drawn.coords) == 13
+        assert cut_polygon(layers).contains(drawn)
+    paths = readers.read_svg(tmp_path / "pattern.svg")
+    assert len(paths["Piece_1"]["internal"]) == len(paths["Piece_2"]["internal"]) == 1
+
+
 def test_the_grain_that_is_asked_for_stands_upright(tmp_path):
     positions, triangles = plate()
     grain = np.array((3.0, 4.0, 0.0))
@@ -354,6 +372,9 @@ def test_the_grain_that_is_asked_for_stands_upright(tmp_path):
         (plate(), {"grain": (0, 0, 0)}, InvalidParameterError, "grain"),
         (plate(), {"piece_names": ["a", "b"]}, PatternError, "2 names were given for 1 piece"),
         (plate(), {"name": "../up"}, InvalidParameterError, "name"),
+        (plate(), {"internal_lines": [[(0, 0, 0), (1, 1, 0)]]}, PatternError, "point 2 is no vertex"),
+        (plate(), {"internal_lines": [[(0, 0, 0), (50, 50, 0)]]}, PatternError, "no edge from its point 1"),
+        (plate(), {"internal_lines": [[(0, 0, 0)]]}, PatternError, "at least two"),
         (plate(), {"unit": "m"}, PatternError, "a page of PDF"),
     ],
 )

@@ -74,7 +74,7 @@ def _fill(block: Any, drawing: Drawing) -> None:
             block.add_line(*path.points[:2].tolist(), dxfattribs=layer)
             continue
         block.add_polyline2d(path.points.tolist(), close=path.closed, dxfattribs=layer)
-        for point, turns in zip(path.points, _turns(path.points), strict=True):
+        for point, turns in zip(path.points, _turns(path.points, path.closed), strict=True):
             kind = Layer.TURN_POINTS if turns else Layer.CURVE_POINTS
             block.add_point(point.tolist(), dxfattribs={"layer": str(kind.value)})
     for notch in drawing.notches:
@@ -84,12 +84,14 @@ def _fill(block: Any, drawing: Drawing) -> None:
         _add_text(block, text.content, text.centre, text.height, Layer.TEXT)
 
 
-def _turns(ring: Array) -> Array:
-    """Whether a ring turns at its points rather than curves."""
+def _turns(ring: Array, closed: bool) -> Array:
+    """Whether a line turns at its points rather than curves; an open one does at its ends."""
     incoming, outgoing = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
     cross = incoming[:, 0] * outgoing[:, 1] - incoming[:, 1] * outgoing[:, 0]
     angles = np.arctan2(cross, np.einsum("ij,ij->i", incoming, outgoing))
     turns: Array = abs(angles) > TURN
+    if not closed:
+        turns[[0, -1]] = True
     return turns
 
 

@@ -67,12 +67,21 @@ def _notches(steps: Array, spacing: float, seam: Seam) -> Iterator[tuple[int, fl
         yield edge, float((distance - (ends[edge] - steps[edge])) / steps[edge])
 
 
-def draw_piece(number: int, pieces: Pieces, seams: Sequence[MarkedSeam], seam_allowance: float) -> Drawing:
+def draw_piece(
+    number: int,
+    pieces: Pieces,
+    seams: Sequence[MarkedSeam],
+    lines: Sequence[tuple[int, list[int]]],
+    seam_allowance: float,
+) -> Drawing:
     """A piece with all its lines and marks, in its own frame."""
     piece = pieces.pieces[number]
     paths = [_ring(Layer.BOUNDARY, piece.cut.exterior)]
     paths += [_ring(Layer.CUTOUT, ring) for ring in piece.cut.interiors]
     paths += [_ring(Layer.SEW, ring) for ring in (piece.sewn.exterior, *piece.sewn.interiors)]
+    paths += [
+        Path(Layer.INTERNAL, pieces.positions[line], False) for piece_, line in lines if piece_ == number
+    ]
     room = shapely.maximum_inscribed_circle(piece.sewn, tolerance=_size(piece) / 200)
     centre, radius = np.array(room.coords[0]), room.length
     paths.append(_grain_line(piece, centre, radius))

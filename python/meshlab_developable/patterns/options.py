@@ -7,6 +7,8 @@ import dataclasses
 import math
 from collections.abc import Sequence
 
+import numpy.typing as npt
+
 from meshlab_developable.errors import InvalidParameterError
 
 Size = tuple[float, float]  # width and height, mm
@@ -42,6 +44,7 @@ class PatternOptions:
     page: str | None = "A4"  # for the PDF in tiles, a name of PAPERS; None: no such file
     formats: Sequence[str] = FORMATS
     piece_names: Sequence[str] | None = None
+    internal_lines: Sequence[npt.ArrayLike] = ()  # k x 3 each: vertices of the model, along its edges
 
     def __post_init__(self) -> None:
         _require(self.millimetres > 0, "unit", self.unit, f"one of {_names(UNITS)}, or millimetres above 0")

@@ -18,6 +18,7 @@ from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.mesh_sets import Source
 from meshlab_developable.patterns.drawing import Drawing, Motion, print_check
 from meshlab_developable.patterns.dxf import write_dxf
+from meshlab_developable.patterns.internal_lines import trace_lines
 from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
 from meshlab_developable.patterns.options import PatternOptions
 from meshlab_developable.patterns.packing import Sheet, pack
@@ -55,7 +56,8 @@ def make_patterns(
     Vertices, faces and parameters are those of `flatten` and of `PatternOptions`: `unit` (of the mesh: "mm",
     "cm", "dm", "m", "in", "ft", or how many millimetres it is), `seam_allowance`, `notch_spacing` and `gap`
     (mm), `grain` (a direction on the model that runs upright), `sheet` (mm x mm, or a paper's name), `turns`
-    ("none", "half", "free"), `page` (of the PDF in tiles), `formats` and `piece_names`.
+    ("none", "half", "free"), `page` (of the PDF in tiles), `formats`, `piece_names` and `internal_lines` (to
+    be drawn, each k x 3, vertices of the mesh along its edges).
 
     Writes name.svg (one file a sheet), name.pdf (one page a sheet), name-A4.pdf (tiles for an office
     printer), name.dxf (ASTM D6673) and name.json (what is sewn to what). All of them or, when
@@ -76,8 +78,10 @@ def write_patterns(
         raise InvalidParameterError(f"name is {name!r}, but must be that of a file, without folders")
     pieces = make_pieces(flat, options)
     seams = mark_seams(flat, pieces, options.notch_spacing)
+    lines = trace_lines(flat, options.internal_lines)
     drawings = [
-        draw_piece(number, pieces, seams, options.seam_allowance) for number in range(len(pieces.pieces))
+        draw_piece(number, pieces, seams, lines, options.seam_allowance)
+        for number in range(len(pieces.pieces))
     ]
     sheets = _laid_out(pieces, options)
     files = _write_all(folder, name, options, pieces, seams, drawings, sheets)
