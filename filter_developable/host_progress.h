@@ -10,7 +10,8 @@
 namespace developable::plugin {
 
 /// A progress function that calls the host at most twenty times a second; once the host has asked for a stop,
-/// it does not ask again. A null callback never stops.
+/// it does not ask again. After a second it also says how long the rest takes at the pace so far. A null
+/// callback never stops.
 Progress hostProgress(vcg::CallBackPos* callback);
 
 } // namespace developable::plugin

@@ -20,14 +20,18 @@ const QString globalFilter = "Global Developability", localFilter = "Local Devel
 struct CallbackRecord {
 	int calls = 0;
 	int stopAtCall = 0; ///< 0: never
+	QString stopAtWord; ///< empty: never
 	std::vector<int> percents;
+	QStringList messages;
 };
 CallbackRecord record;
 
-bool recordingCallback(const int percent, const char*) {
+bool recordingCallback(const int percent, const char* message) {
 	++record.calls;
 	record.percents.push_back(percent);
-	return record.calls != record.stopAtCall;
+	record.messages.push_back(QString::fromUtf8(message));
+	const bool hasWord = !record.stopAtWord.isEmpty() && record.messages.back().contains(record.stopAtWord);
+	return record.calls != record.stopAtCall && !hasWord;
 }
 
 /// Something that takes both methods a while: they are asked for more than can be had.
@@ -99,6 +103,17 @@ private slots:
 		QVERIFY(timer.elapsed() >= 5 * 50);
 		QVERIFY(std::is_sorted(record.percents.begin(), record.percents.end()));
 		QVERIFY(record.percents.front() >= 0 && record.percents.back() <= 100);
+	}
+
+	void progressSaysHowMuchOfGIsGoneAndHowLongTheRestTakes() {
+		MeshDocument document;
+		addLayer(document, jitteredGrid(200, 200, bumpedCylinder));
+		record.stopAtWord = "left at this pace";
+		plugin_.apply(globalFilter, document, endlessParameters(plugin_, globalFilter, document),
+					  recordingCallback);
+		const QRegularExpression both("[0-9.]+ % of the detect function removed; .+ left at this pace$");
+		QVERIFY2(record.messages.back().contains(both), qUtf8Printable(record.messages.back()));
+		QVERIFY(!record.messages.front().contains("left")); // there is no pace yet
 	}
 
 	void aHostWithoutCallbackIsServedToo() {
