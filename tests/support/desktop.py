@@ -175,9 +175,12 @@ def stage(root: Path) -> str:
 class MeshLab:
     """MeshLab with one mesh open."""
 
-    def __init__(self, desktop, program, mesh):
+    def __init__(self, desktop, program, mesh, question=None):
+        """Newer releases begin with a question; it gets a no."""
         self.desktop = desktop
         desktop.run(program, str(mesh))
+        if question is not None:
+            desktop.window(question).keys("alt+n")
         self.window = desktop.window("MeshLab")
         self.wait_for_log("Opened mesh")
 
