@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import contextlib
 import fcntl
+import logging
 import os
 import shutil
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from distributed import Client, LocalCluster, as_completed, get_worker
+from distributed.utils import silence_logging_cmgr
 
 from meshlab_developable.batch.children import Children
 from meshlab_developable.batch.inputs import Input
@@ -51,7 +53,10 @@ def run(
         for job in waiting:
             job.record.unlink(missing_ok=True)
         if waiting:
-            with _client(scheduler, min(workers or _cores(), len(waiting))) as client:
+            with (
+                silence_logging_cmgr(logging.CRITICAL),
+                _client(scheduler, min(workers or _cores(), len(waiting))) as client,
+            ):
                 for row in _work(client, waiting, settings):
                     rows[row.input] = row
                     finished(row)
@@ -106,7 +111,7 @@ def _work(client: Client, jobs: Sequence[Job], settings: Settings) -> Iterator[R
 def _client(scheduler: str | None, workers: int) -> Iterator[Client]:
     if scheduler is not None:
         try:
-            made = Client(scheduler, timeout=30)
+            made = Client(scheduler)
         except (OSError, ValueError) as error:
             raise DevelopableError(f"the scheduler {scheduler} cannot be used: {error}") from None
         with made as client:
@@ -119,7 +124,7 @@ def _client(scheduler: str | None, workers: int) -> Iterator[Client]:
             processes=True,
             memory_limit=0,  # children have a limit of their own
             dashboard_address="127.0.0.1:0",
-            silence_logs="CRITICAL",
+            silence_logs=logging.CRITICAL,
         ) as cluster,
         Client(cluster) as client,
     ):
