@@ -4,11 +4,13 @@
 Side by side: constrained Newton, the paper's conjugate gradients, the local method, the least-norm step of
 Wang 2008, and MeshLab's own "Make mesh developable" (Stein, Grinspun, Crane 2018), each with its defaults.
 
-Run by bench/run.sh: solvers.py EXECUTABLE [quick|grids|models|panels|FILE]...
-quick: grids of 31 x 31, models and panels; grids: 31, 101 and 201 columns. Panels are those of the package
-libcgal-demo (apt-get install libcgal-demo) and of pymeshlab. Without arguments: quick.
+Run by bench/run.sh: solvers.py EXECUTABLE [quick|grids|models|panels|sizes|FILE]...
+quick: grids of 31 x 31, models and panels; grids: 31, 101 and 201 columns, MeshLab's filter on 31 only.
+sizes: the bumped cylinder with 1, 10, 100 and 1000 thousand vertices, beside the paper's method with both
+tolerances 0. Panels are those of pymeshlab and of the package libcgal-demo. Without arguments: quick.
 """
 
+import math
 import subprocess
 import sys
 import tarfile
@@ -41,6 +43,7 @@ COLUMNS = (
     "smallest angle before",
     "after",
     "flipped",
+    "strain when flat",
     "status",
 )
 
@@ -125,7 +128,7 @@ def row(executable: str, method: str, before: Path, after: Path) -> str:
     done = subprocess.run([*command, before, after], capture_output=True, text=True, check=False)
     head = f"| {before.stem} | {method.replace('_', ' ')} "
     if done.returncode != 0:
-        return f"{head}{'|' * 15} {done.stderr.strip()} |"
+        return f"{head}{'|' * 16} {done.stderr.strip()} |"
     seconds, megabytes, status = done.stdout.strip().split(" ", 2)
     measured = subprocess.run(
         [executable, "measure", before, after], capture_output=True, text=True, check=True
@@ -136,12 +139,45 @@ def row(executable: str, method: str, before: Path, after: Path) -> str:
     return f"{head}| {' | '.join(cells)} |"
 
 
+def sizes(executable: str) -> None:
+    """Print how time and memory grow with the number of vertices."""
+    print(
+        "| vertices | seconds: constrained Newton | power of n | MB | C | paper's 200 steps | C |\n|---"
+        + "|---" * 6
+        + "|"
+    )
+    with tempfile.TemporaryDirectory() as name:
+        before, after = Path(name) / "before.off", Path(name) / "after.off"
+        last = (0, 0.0)
+        for columns in (32, 101, 317, 1001):
+            subprocess.run([executable, "shape", "bump", str(columns), "0", before], check=True)
+            cells = []
+            for method in ("constrained_newton", "conjugate_gradient_200"):
+                run = [executable, "run", method, before, after]
+                words = subprocess.run(run, capture_output=True, text=True, check=True).stdout.split()
+                measured = subprocess.run(
+                    [executable, "measure", before, after], capture_output=True, text=True, check=True
+                ).stdout.split()
+                cells.append((float(words[0]), float(words[1]), float(measured[2])))
+            (ours, megabytes, left), (paper, _, left_by_paper) = cells
+            power = math.log(ours / last[1]) / math.log(columns**2 / last[0]) if last[0] else math.nan
+            last = columns**2, ours
+            print(
+                f"| {columns**2} | {ours:.2f} | {power:.2f} | {megabytes:.0f} | {left:.1e} | "
+                f"{paper:.2f} | {left_by_paper:.2g} |",
+                flush=True,
+            )
+
+
 def main() -> None:
     """Print the table."""
     if sys.argv[1] == "--meshlab":
         print(run_meshlab(Path(sys.argv[2]), Path(sys.argv[3])))
         return
     executable, wanted = sys.argv[1], sys.argv[2:] or ["quick"]
+    if wanted == ["sizes"]:
+        sizes(executable)
+        return
     print(f"| {' | '.join(COLUMNS)} |\n{'|---' * len(COLUMNS)}|")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -154,7 +190,7 @@ def main() -> None:
         for word in wanted:
             meshes = choices[word]() if word in choices else [convert(Path(word), folder)]
             for mesh in meshes:
-                for method in METHODS:
+                for method in METHODS if mesh.stat().st_size < 1e6 else METHODS[:-1]:
                     print(row(executable, method, mesh, folder / "after.off"), flush=True)
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // solvers_bench: makes shapes, runs one method on one mesh, and measures what it did; see solvers.py.
 #include "developable/constrained_newton.h"
+#include "developable/flatten.h"
 #include "developable/local_method.h"
 #include "developable/penalty_method.h"
 #include "developable/surface_distance.h"
@@ -97,6 +98,11 @@ std::string runMethod(const std::string& method, const PatchAssembly& assembly, 
 	}
 	if (method == "conjugate_gradient")
 		return describe(penaltyMethod(assembly, positions, {}).status);
+	if (method == "conjugate_gradient_200") {
+		PenaltyMethodOptions options;
+		options.relativeChange = options.angleTolerance = 0;
+		return describe(penaltyMethod(assembly, positions, options).status);
+	}
 	if (method == "local")
 		return describe(localMethod(assembly, positions, {}).status);
 	if (method == "least_norm")
@@ -125,6 +131,15 @@ Eigen::VectorXd hingeAngles(const PatchAssembly& assembly, const Positions& posi
 	return Eigen::Map<Eigen::VectorXd>(angles.data(), angles.size());
 }
 
+/// Greatest edge strain of the flat patterns; not a number when there are none.
+double flattenedStrain(const PatchAssembly& assembly, const Positions& positions) {
+	try {
+		return flattenPatches(assembly, positions, {}).report.maxEdgeStrain;
+	} catch (const std::exception&) {
+		return std::nan("");
+	}
+}
+
 /// Prints what the table shows, blank between numbers; lengths in % of the diagonal, angles in degrees.
 void printMeasures(const PatchAssembly& assembly, const Positions& positions) {
 	const Positions& original = assembly.originalPositions;
@@ -147,7 +162,7 @@ void printMeasures(const PatchAssembly& assembly, const Positions& positions) {
 			  << after.maxAngleDefect << ' ' << displacement.mean() << ' ' << displacement.maxCoeff() << ' '
 			  << distance.mean() << ' ' << distance.maxCoeff() << ' '
 			  << bent.norm() / std::sqrt(double(bent.size())) * 180 / pi << ' ' << smallest(original) << ' '
-			  << smallest(positions) << ' ' << flipped << '\n';
+			  << smallest(positions) << ' ' << flipped << ' ' << flattenedStrain(assembly, positions) << '\n';
 }
 
 /// Of this program alone; what getrusage tells includes the one that started it.

@@ -92,7 +92,7 @@ TEST(NormalSteps, TakeAwayCurvatureOfShortWaves) {
 	const PatchAssembly assembly = assembled(noisy(jitteredGrid(25, 25, quarterCylinder), 0.02));
 	const detail::CurvatureGoal goal{1e-4, 1e-4};
 	const detail::NewtonOutcome outcome =
-		detail::NormalSteps(assembly, 3e-6, goal, {}).run(assembly.originalPositions, 1, 100);
+		detail::NormalSteps(assembly, 3e-6, goal, 0, {}).run(assembly.originalPositions, 1, 100);
 	EXPECT_EQ(outcome.status, Status::Converged);
 	EXPECT_LE(angleDefects(assembly, outcome.positions).cwiseAbs().sum(), 1e-4);
 	EXPECT_LT(meanDisplacement(assembly, outcome.positions), 0.002);
@@ -121,6 +121,18 @@ TEST(MultilevelNewton, MovesNoFartherThanWithoutLevels) {
 		detail::solveDirectly(assembly, assembly.originalPositions, 3e-6, {1e-4, 1e-4}, 200, {});
 	ASSERT_EQ(direct.status, Status::Converged);
 	expectConverges(assembly, 1.1 * meanDisplacement(assembly, direct.positions));
+}
+
+TEST(MultilevelNewton, DoesWithLittleMemory) {
+	const PatchAssembly assembly = assembled(jitteredGrid(51, 51, bumpedCylinder));
+	ConstrainedNewtonOptions options;
+	options.memoryLimit = 1000;
+	Positions positions = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+	const Positions withMuch = expectConverges(assembly, 0.006);
+	EXPECT_NE(positions, withMuch); // so it did take another way
+	EXPECT_LT((positions - withMuch).cwiseAbs().maxCoeff(), 0.005);
+	expectSound(assembly, positions);
 }
 
 TEST(MultilevelNewton, GivesTheSameBitsOnEveryRunAndLeavesHeldPlaces) {
@@ -180,6 +192,13 @@ TEST(SparseCholesky, SolvesAsEigensOwnFactorisationDoes) {
 	const Eigen::MatrixXd rightHandSide = assembly.originalPositions.transpose();
 	const Eigen::MatrixXd expected = eigens.solve(rightHandSide);
 	EXPECT_LT((ours.solve(rightHandSide) - expected).norm(), 1e-9 * expected.norm());
+	detail::SparseSolver iterative(1);
+	ASSERT_TRUE(iterative.factorize(lower));
+	EXPECT_TRUE(iterative.iterates());
+	EXPECT_LT((iterative.solve(rightHandSide) - expected).norm(), 0.02 * expected.norm());
+	detail::SparseSolver exact(1e9);
+	ASSERT_TRUE(exact.factorize(lower));
+	EXPECT_FALSE(exact.iterates());
 	detail::SparseMatrix indefinite = lower;
 	indefinite.coeffRef(7, 7) = -1;
 	const bool accepted = detail::SparseCholesky().factorize(indefinite);

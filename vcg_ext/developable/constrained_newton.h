@@ -10,10 +10,13 @@ namespace developable {
 struct ConstrainedNewtonOptions {
 	double curvatureTolerance = 1e-4; ///< total absolute curvature of a patch that counts as developable, rad
 	double angleTolerance = 1e-4;     ///< greatest angle defect of a developable point, rad
-	int maxIterations = 200;          ///< steps, each with one linear system
+	int maxIterations = 200;          ///< steps on each level, each with one linear system
 	/// Weight α of bending against distance, without unit (see detail::BendingMetric). Larger: fewer
 	/// wrinkles, and the surface moves more.
 	double smoothness = 3e-6;
+	/// Bytes that the factor of a linear system may take; more is solved by iteration. 0: what the machine
+	/// has.
+	double memoryLimit = 0;
 };
 
 struct ConstrainedNewtonReport : OptimizationReport {
@@ -36,6 +39,7 @@ inline void requireValid(const ConstrainedNewtonOptions& options) {
 	require(options.maxIterations >= 1, "The limit of iterations must be at least 1.");
 	require(options.smoothness > 0 && options.smoothness <= 1,
 			"The smoothness must be greater than 0 and at most 1.");
+	require(options.memoryLimit >= 0, "The limit of memory must not be negative.");
 }
 
 /// What of the report is read off the shape.
@@ -84,7 +88,7 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 	}
 	const double curvatureBefore = defects.cwiseAbs().sum(), detectBefore = detectFunction(defects);
 	const detail::NewtonOutcome outcome =
-		detail::MultilevelNewton(options.smoothness, goal, options.maxIterations)
+		detail::MultilevelNewton(options.smoothness, goal, options.maxIterations, options.memoryLimit)
 			.solve(assembly, positions, progress);
 	report.status = outcome.status;
 	report.iterations = outcome.iterations;

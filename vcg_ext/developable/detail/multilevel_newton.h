@@ -6,6 +6,8 @@
 #include "normal_steps.h"
 #include "prolongation.h"
 
+#include <chrono>
+
 namespace developable::detail {
 
 /// Large patches are first solved with a quarter of their vertices, in the same way. That solution's
@@ -14,8 +16,9 @@ namespace developable::detail {
 /// directions may.
 class MultilevelNewton {
 public:
-	MultilevelNewton(double smoothness, const CurvatureGoal& goal, int maxIterations)
-		: smoothness_(smoothness), goal_(goal), maxIterations_(maxIterations) {}
+	/// \param memoryLimit  see SparseSolver
+	MultilevelNewton(double smoothness, const CurvatureGoal& goal, int maxIterations, double memoryLimit)
+		: smoothness_(smoothness), goal_(goal), maxIterations_(maxIterations), memoryLimit_(memoryLimit) {}
 
 	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
 						const Progress& progress) const {
@@ -27,11 +30,15 @@ public:
 			return solveDirectly(assembly, start, smoothness_, goal_, maxIterations_, progress);
 		const Positions coarseStart = coarse.assembly.originalPositions +
 									  (start - assembly.originalPositions)(Eigen::all, coarse.finePlace);
-		const NewtonOutcome coarseOutcome =
-			solve(coarse.assembly, coarseStart, part(progress, 0, coarseShare));
+		const auto begin = std::chrono::steady_clock::now();
+		NewtonOutcome coarseOutcome = solve(coarse.assembly, coarseStart, part(progress, 0, coarseShare, ""));
 		if (coarseOutcome.status == Status::Stopped)
 			return coarseOutcome;
-		return refine(assembly, coarse, coarseOutcome, part(progress, coarseShare, 1));
+		const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+		const double sizes = double(assembly.placeCount()) / coarse.assembly.placeCount();
+		return refine(
+			assembly, coarse, coarseOutcome,
+			part(progress, coarseShare, 1, foresee(assembly, taken.count() * std::pow(sizes, growth))));
 	}
 
 private:
@@ -39,19 +46,20 @@ private:
 	static constexpr int ratio = 4;               ///< between the numbers of places of two levels
 	static constexpr double leastReduction = 0.7; ///< else a level is not worth its while
 	static constexpr double coarseShare = 0.2;    ///< of a level's work that the coarser levels are
+	static constexpr double growth = 1.2;         ///< time goes with this power of the number of places
 
 	NewtonOutcome refine(const PatchAssembly& assembly, const CoarseAssembly& coarse,
 						 const NewtonOutcome& coarseOutcome, const Progress& progress) const {
-		const Positions displacement =
-			prolonged(assembly, coarse, coarseOutcome.positions - coarse.assembly.originalPositions);
+		const Positions displacement = prolonged(
+			assembly, coarse, coarseOutcome.positions - coarse.assembly.originalPositions, memoryLimit_);
 		const Positions begin = soundStart(assembly, displacement);
 		// With a coarse solution at hand what is left to do is little; without one, more may do harm.
 		const double farthest =
 			converged(coarseOutcome.status)
 				? diagonal(assembly)
 				: std::max(farthestShare * diagonal(assembly), farthestDisplacement(assembly, begin));
-		NewtonOutcome outcome =
-			NormalSteps(assembly, smoothness_, goal_, progress).run(begin, farthest, maxIterations_);
+		NewtonOutcome outcome = NormalSteps(assembly, smoothness_, goal_, memoryLimit_, progress)
+									.run(begin, farthest, maxIterations_);
 		outcome.smoothness = coarseOutcome.smoothness;
 		if (outcome.status == Status::Stalled && converged(coarseOutcome.status)) {
 			const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_);
@@ -72,17 +80,29 @@ private:
 		return assembly.originalPositions + share * displacement;
 	}
 
-	static Progress part(const Progress& progress, double begin, double end) {
+	/// What is about to be done, and how long it may take.
+	static std::string foresee(const PatchAssembly& assembly, double seconds) {
+		const std::string size = std::to_string(assembly.placeCount()) + " vertices";
+		if (seconds < 2)
+			return size + ": ";
+		if (seconds < 100)
+			return size + ", about " + std::to_string(std::lround(seconds)) + " s: ";
+		return size + ", about " + std::to_string(std::lround(seconds / 60)) + " min: ";
+	}
+
+	/// What a part of the work says, as that part of the whole.
+	static Progress part(const Progress& progress, double begin, double end, const std::string& prefix) {
 		if (!progress)
 			return {};
 		return [=](double fraction, const std::string& message) {
-			return progress(begin + fraction * (end - begin), message);
+			return progress(begin + fraction * (end - begin), prefix + message);
 		};
 	}
 
 	const double smoothness_;
 	const CurvatureGoal goal_;
 	const int maxIterations_;
+	const double memoryLimit_;
 };
 
 } // namespace developable::detail

@@ -5,6 +5,7 @@
 #include "curvature_goal.h"
 #include "multiplier_solver.h"
 #include "soundness.h"
+#include "sparse_solver.h"
 #include "vertex_normals.h"
 
 namespace developable::detail {
@@ -16,12 +17,13 @@ namespace developable::detail {
 /// and Marquardt).
 class NormalSteps {
 public:
+	/// \param memoryLimit  see SparseSolver
 	NormalSteps(const PatchAssembly& assembly, double smoothness, const CurvatureGoal& goal,
-				const Progress& progress)
+				double memoryLimit, const Progress& progress)
 		: assembly_(assembly), goal_(goal), progress_(progress),
 		  metric_(assembly, Eigen::VectorXd::Constant(assembly.patchCount(), smoothness)),
 		  jacobian_(assembly, metric_.placeMass()), soundness_(assembly),
-		  metricMatrix_(metric_.matrix().selfadjointView<Eigen::Lower>()) {}
+		  metricMatrix_(metric_.matrix().selfadjointView<Eigen::Lower>()), solver_(memoryLimit) {}
 
 	/// \param farthest  how far from the original a place may go, length
 	NewtonOutcome run(const Positions& start, double farthest, int maxIterations) {
@@ -78,7 +80,7 @@ private:
 		if (epsilon_ == 0)
 			epsilon_ = firstShare * system.diagonal().sum() / metric.diagonal().sum();
 		system += epsilon_ * metric;
-		return factorization_.factorize(SparseMatrix(system.triangularView<Eigen::Lower>()));
+		return solver_.factorize(SparseMatrix(system.triangularView<Eigen::Lower>()));
 	}
 
 	/// A first step with line search, then chords: full steps with new right-hand sides, as long as each
@@ -94,7 +96,7 @@ private:
 	}
 
 	double tryStep(int lengths) {
-		const Eigen::VectorXd amount = factorization_.solve(Eigen::VectorXd(-(along_.transpose() * scaled_)));
+		const Eigen::VectorXd amount = solver_.solve(Eigen::VectorXd(-(along_.transpose() * scaled_)));
 		const double before = scaled_.squaredNorm();
 		double length = 1;
 		for (int i = 0; i < lengths; ++i, length /= 2) {
@@ -121,7 +123,7 @@ private:
 	DefectJacobian jacobian_;
 	Soundness soundness_;
 	SparseMatrix metricMatrix_, along_; // W; J N
-	SparseCholesky factorization_;
+	SparseSolver solver_;
 	Positions positions_, normals_;
 	Eigen::VectorXd defects_, scaled_; // g, and as the Jacobian scales it
 	double farthest_ = 0, startCurvature_ = 0, epsilon_ = 0;

@@ -4,6 +4,7 @@
 
 #include "bending_metric.h"
 #include "coarsening.h"
+#include "sparse_solver.h"
 
 namespace developable::detail {
 
@@ -11,9 +12,10 @@ namespace developable::detail {
 /// coarse edges: with m_c the masses of the coarse places and n_c their number, it has the least
 ///     Σ_c m_c |d_c − d̂_c|² + β ∫|d''|²,   β = 0.3 (A/n_c)²,
 /// so waves shorter than some five coarse edges are left out: they belong to the coarse triangulation.
-/// \return 3 x fine places
+/// \param memoryLimit  see SparseSolver
+/// \return             3 x fine places
 inline Positions prolonged(const PatchAssembly& fine, const CoarseAssembly& coarse,
-						   const Positions& coarseDisplacement) {
+						   const Positions& coarseDisplacement, double memoryLimit = 0) {
 	const int coarseCount = coarse.assembly.placeCount();
 	const Eigen::VectorXd coarseMasses = placeMasses(coarse.assembly);
 	// A trifle of mass everywhere holds what the coarse places leave free.
@@ -25,10 +27,10 @@ inline Positions prolonged(const PatchAssembly& fine, const CoarseAssembly& coar
 	}
 	const Eigen::VectorXd smoothness =
 		Eigen::VectorXd::Constant(fine.patchCount(), 0.3 / (double(coarseCount) * coarseCount));
-	SparseCholesky factorization;
-	if (!factorization.factorize(BendingMatrix(fine, masses, smoothness).lower()))
+	SparseSolver solver(memoryLimit);
+	if (!solver.factorize(BendingMatrix(fine, masses, smoothness).lower()))
 		return Positions::Zero(3, fine.placeCount());
-	return factorization.solve(Eigen::MatrixXd(pull)).transpose();
+	return solver.solve(Eigen::MatrixXd(pull)).transpose();
 }
 
 } // namespace developable::detail

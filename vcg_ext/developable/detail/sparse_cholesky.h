@@ -14,22 +14,47 @@ namespace developable::detail {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+#ifdef DEVELOPABLE_WITH_CHOLMOD
+
+/// CHOLMOD (Chen et al. 2008) on METIS' order of elimination.
+class CholeskyFactorization : public Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> {
+public:
+	CholeskyFactorization() {
+		cholmod().nmethods = 1;
+		cholmod().method[0].ordering = CHOLMOD_METIS;
+		cholmod().print = 0;
+	}
+
+	/// Of the factor, once the pattern is known, bytes: its numbers, and half as many zeros between them.
+	double factorMemory() { return 1.5 * 8 * cholmod().lnz; }
+};
+
+#else
+
+class CholeskyFactorization : public Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> {
+public:
+	/// Of the factor, once the pattern is known, bytes.
+	double factorMemory() const { return 12.0 * static_cast<double>(m_matrix.nonZeros()); }
+};
+
+#endif
+
 /// The Cholesky factorisation of symmetric positive definite matrices of one pattern, of which only the lower
 /// triangle is read. The order of elimination is found once.
 class SparseCholesky {
 public:
+	/// Finds the order of elimination. \return how much memory the factor will take, bytes
+	double analyze(const SparseMatrix& matrix) {
+		factorization_.analyzePattern(matrix);
+		analyzed_ = true;
+		return factorization_.factorMemory();
+	}
+
 	/// Says whether it succeeded. A matrix that is not positive definite fails with CHOLMOD, but need not
 	/// with Eigen's factorisation, so callers that can't be sure of it check what they solve for.
 	bool factorize(const SparseMatrix& matrix) {
-		if (!analyzed_) {
-#ifdef DEVELOPABLE_WITH_CHOLMOD
-			factorization_.cholmod().nmethods = 1;
-			factorization_.cholmod().method[0].ordering = CHOLMOD_METIS;
-			factorization_.cholmod().print = 0;
-#endif
-			factorization_.analyzePattern(matrix);
-			analyzed_ = true;
-		}
+		if (!analyzed_)
+			analyze(matrix);
 		factorization_.factorize(matrix);
 		return factorization_.info() == Eigen::Success;
 	}
@@ -40,11 +65,7 @@ public:
 	}
 
 private:
-#ifdef DEVELOPABLE_WITH_CHOLMOD
-	Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> factorization_;
-#else
-	Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> factorization_;
-#endif
+	CholeskyFactorization factorization_;
 	bool analyzed_ = false;
 };
 

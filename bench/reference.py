@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How near a developable shape could be: constrained Newton beside a slow, general optimiser.
+
+IPOPT (Wächter and Biegler 2006), with exact second derivatives by CasADi, finds a local minimum of the same
+length of displacements ‖d‖_W under g = 0, for a row of smoothnesses: a curve of displacement against
+wrinkling, from which the displacement at the wrinkling of constrained Newton is read. Needs casadi and scipy.
+
+Run by bench/run.sh reference [COLUMNS]: the shapes of solvers.py on a grid (31), with and without noise.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import casadi
+import numpy as np
+import scipy.sparse as sparse
+
+SHAPES = ("cap", "saddle", "bump", "wave", "vamp", "steep_bump", "holes")
+SMOOTHNESSES = (1e-5, 3e-6, 1e-6, 3e-7)
+
+
+def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and triangles."""
+    words = path.read_text().split()
+    vertices, triangles = int(words[1]), int(words[2])
+    split = 4 + 3 * vertices
+    points = np.array(words[4:split], float).reshape(-1, 3)
+    return points, np.array(words[split:], int).reshape(triangles, 4)[:, 1:]
+
+
+def inner_edges(triangles: np.ndarray) -> np.ndarray:
+    """Per inner edge its two ends and the two corners opposite to it, each row i, j, k, l."""
+    found: dict[tuple[int, int], tuple[int, int, int]] = {}
+    rows = []
+    for a, b, c in triangles:
+        for i, j, k in ((a, b, c), (b, c, a), (c, a, b)):
+            if (j, i) in found:
+                rows.append((j, i, found.pop((j, i))[2], k))
+            else:
+                found[i, j] = (i, j, k)
+    return np.array(rows)
+
+
+def boundary_vertices(triangles: np.ndarray) -> set[int]:
+    """Ends of the edges with one triangle."""
+    half = {(a, b) for t in triangles for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0]))}
+    return {vertex for a, b in half if (b, a) not in half for vertex in (a, b)}
+
+
+def metric(points: np.ndarray, triangles: np.ndarray, smoothness: float) -> sparse.csc_matrix:
+    """W of docs/constrained_newton.md for one patch."""
+    corners = points[triangles]
+    doubled = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    area, total = doubled / 2, doubled.sum() / 2
+    masses = np.bincount(triangles.ravel(), np.repeat(area / 3, 3), len(points)) / total
+    area_of = {frozenset(t): a for t, a in zip(triangles.tolist(), area, strict=True)}
+
+    def cotangent(at: int, one: int, other: int) -> float:
+        u, v = points[one] - points[at], points[other] - points[at]
+        return float(u @ v / np.linalg.norm(np.cross(u, v)))
+
+    rows, columns, values = [], [], []
+    for row, (i, j, k, l) in enumerate(inner_edges(triangles)):  # noqa: E741
+        at_i = cotangent(i, j, k), cotangent(i, j, l)
+        at_j = cotangent(j, i, k), cotangent(j, i, l)
+        both = area_of[frozenset((i, j, k))] + area_of[frozenset((i, j, l))]
+        slope = np.array([sum(at_j), sum(at_i), -at_i[0] - at_j[0], -at_i[1] - at_j[1]])
+        values += list(slope * np.sqrt(smoothness * total / both))
+        rows += [row] * 4
+        columns += [i, j, k, l]
+    hinges = sparse.csc_matrix((values, (rows, columns)), (max(rows) + 1, len(points)))
+    return sparse.csc_matrix(sparse.diags(masses) + hinges.T @ hinges)
+
+
+def defects(x: casadi.SX, triangles: np.ndarray) -> casadi.SX:
+    """Angle defects at the inner vertices, x being 3 x vertices."""
+    boundary = boundary_vertices(triangles)
+    angles: dict[int, list[casadi.SX]] = {}
+    for a, b, c in triangles.tolist():
+        for at, one, other in ((a, b, c), (b, c, a), (c, a, b)):
+            u, v = x[:, one] - x[:, at], x[:, other] - x[:, at]
+            angles.setdefault(at, []).append(
+                casadi.atan2(casadi.norm_2(casadi.cross(u, v)), casadi.dot(u, v))
+            )
+    return casadi.vertcat(*(2 * np.pi - sum(angles[v]) for v in sorted(angles) if v not in boundary))
+
+
+def nearest(
+    points: np.ndarray, triangles: np.ndarray, smoothness: float, start: np.ndarray
+) -> tuple[np.ndarray, str]:
+    """Where IPOPT ends from a start, and what it says of it."""
+    x = casadi.SX.sym("x", 3, len(points))
+    weight = metric(points, triangles, smoothness).tocoo()
+    w = casadi.DM.triplet(weight.row.tolist(), weight.col.tolist(), weight.data.tolist(), *weight.shape)
+    d = x - points.T
+    problem = {"x": casadi.vec(x), "f": casadi.trace(d @ w @ d.T) / 2, "g": defects(x, triangles)}
+    options = {"ipopt.print_level": 0, "print_time": False, "ipopt.max_iter": 500, "ipopt.tol": 1e-7}
+    solver = casadi.nlpsol("nearest", "ipopt", problem, options)
+    result = solver(x0=start.ravel(), lbg=0, ubg=0)
+    return np.array(result["x"]).reshape(-1, 3), solver.stats()["return_status"]
+
+
+def write_off(path: Path, points: np.ndarray, triangles: np.ndarray) -> None:
+    """With every digit."""
+    lines = [f"OFF\n{len(points)} {len(triangles)} 0"]
+    lines += [" ".join(repr(float(c)) for c in p) for p in points]
+    lines += [f"3 {a} {b} {c}" for a, b, c in triangles]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def main() -> None:
+    """Print a row for each shape."""
+    executable, columns = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else "31"
+
+    def measured(before: Path, after: Path) -> tuple[float, float, float]:
+        """Mean displacement in % of the diagonal, wrinkling in degrees, smallest angle in degrees."""
+        words = subprocess.run(
+            [executable, "measure", before, after], capture_output=True, text=True, check=True
+        )
+        numbers = [float(word) for word in words.stdout.split()]
+        return numbers[5], numbers[9], numbers[11]
+
+    titles = ("mesh", "moved: ours", "at the same wrinkling: IPOPT", "ratio", "wrinkling: ours")
+    print(f"| {' | '.join(titles)} | IPOPT's curve: smoothness: moved, wrinkling |\n{'|---' * 6}|")
+    with tempfile.TemporaryDirectory() as name:
+        before, ours, other = (Path(name) / f"{part}.off" for part in ("before", "ours", "other"))
+        for shape in SHAPES:
+            for noise in ("0", "0.02"):
+                subprocess.run([executable, "shape", shape, columns, noise, before], check=True)
+                subprocess.run(
+                    [executable, "run", "constrained_newton", before, ours], check=True, capture_output=True
+                )
+                moved, wrinkling, _ = measured(before, ours)
+                points, triangles = read_off(before)
+                start = read_off(ours)[0]
+                curve = []
+                for smoothness in SMOOTHNESSES:
+                    start, status = nearest(points, triangles, smoothness, start)
+                    write_off(other, start, triangles)
+                    curve.append((*measured(before, other), smoothness, status))
+                solved = sorted(
+                    (c[1], c[0]) for c in curve if c[4] in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+                )
+                at_same = (
+                    np.interp(wrinkling, [c[0] for c in solved], [c[1] for c in solved]) if solved else np.nan
+                )
+                text = "; ".join(f"{c[3]:.0e}: {c[0]:.3g}, {c[1]:.3g} ({c[4]})" for c in curve)
+                print(
+                    f"| {shape} {columns}{' noise' if noise != '0' else ''} | {moved:.3g} | {at_same:.3g} | "
+                    f"{moved / at_same:.2f} | {wrinkling:.3g} | {text} |",
+                    flush=True,
+                )
+
+
+if __name__ == "__main__":
+    main()
