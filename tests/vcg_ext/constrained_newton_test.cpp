@@ -122,6 +122,24 @@ TEST(ConstrainedNewton, SaysThatHeldPlacesMakeTheGoalImpossible) {
 		}
 }
 
+TEST(ConstrainedNewton, EndsAtTheLeastSquaresWhereHeldPlacesAreInTheWay) {
+	TriangleMesh mesh = jitteredGrid(15, 15, bumpedCylinder);
+	for (int row = 0; row < 15; ++row)
+		for (int column = 0; column < 15; ++column)
+			mesh.vertexSelected[15 * row + column] = std::max(std::abs(row - 7), std::abs(column - 7)) > 5;
+	PatchOptions options;
+	options.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, options);
+	Positions positions = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, positions, {}).status, Status::Stalled);
+	detail::DefectJacobian jacobian(assembly, detail::placeMasses(assembly));
+	const auto slope = [&](const Positions& at) {
+		jacobian.linearize(at);
+		return jacobian.applyTransposed(jacobian.scaled(angleDefects(assembly, at))).norm();
+	};
+	EXPECT_LT(slope(positions), 1e-4 * slope(assembly.originalPositions));
+}
+
 TEST(ConstrainedNewton, SaysThatAShapeWithAShortRimNeedsACut) {
 	TriangleMesh mesh = sphere(1, 3);
 	mesh.triangles = mesh.triangles.rightCols(mesh.triangleCount() - 4).eval(); // a hole of four triangles

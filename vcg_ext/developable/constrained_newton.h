@@ -95,8 +95,7 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 	report.smoothness = outcome.smoothness;
 	if (outcome.status == Status::Stopped)
 		return report;
-	const bool held =
-		std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
+	const bool held = detail::holdsPlaces(assembly);
 	defects = angleDefects(assembly, outcome.positions);
 	if (detectFunction(defects) < detectBefore && (held || defects.cwiseAbs().sum() < curvatureBefore))
 		positions = outcome.positions;

@@ -39,6 +39,11 @@ struct CurvatureGoal {
 /// that is not: further away it is not a shape near the original any more.
 inline constexpr double farthestShareReached = 0.22, farthestShare = 0.2;
 
+/// Whether some places may not move.
+inline bool holdsPlaces(const PatchAssembly& assembly) {
+	return std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
+}
+
 /// The diagonal of the original's box.
 inline double diagonal(const PatchAssembly& assembly) {
 	const Positions& original = assembly.originalPositions;

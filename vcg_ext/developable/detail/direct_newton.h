@@ -12,8 +12,7 @@ namespace developable::detail {
 inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Positions& start, double smoothness,
 								   const CurvatureGoal& goal, int maxIterations, const Progress& progress) {
 	Eigen::VectorXd smoothnesses = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness);
-	const bool held =
-		std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
+	const bool held = holdsPlaces(assembly);
 	Eigen::VectorXd defects = angleDefects(assembly, start);
 	const double curvatureBefore = defects.cwiseAbs().sum();
 	double least = detectFunction(defects);

@@ -23,11 +23,11 @@ public:
 	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
 						const Progress& progress) const {
 		if (assembly.placeCount() <= coarsest)
-			return solveDirectly(assembly, start, smoothness_, goal_, maxIterations_, progress);
+			return solveCoarsest(assembly, start, progress);
 		const CoarseAssembly coarse =
 			Coarsening(assembly).coarsen(std::max(coarsest, assembly.placeCount() / ratio));
 		if (coarse.assembly.placeCount() > leastReduction * assembly.placeCount())
-			return solveDirectly(assembly, start, smoothness_, goal_, maxIterations_, progress);
+			return solveCoarsest(assembly, start, progress);
 		const Positions coarseStart = coarse.assembly.originalPositions +
 									  (start - assembly.originalPositions)(Eigen::all, coarse.finePlace);
 		const auto begin = std::chrono::steady_clock::now();
@@ -47,6 +47,22 @@ private:
 	static constexpr double leastReduction = 0.7; ///< else a level is not worth its while
 	static constexpr double coarseShare = 0.2;    ///< of a level's work that the coarser levels are
 	static constexpr double growth = 1.2;         ///< time goes with this power of the number of places
+
+	/// Where held places leave no way to g = 0, steps along the normals go on to the least squares of it.
+	NewtonOutcome solveCoarsest(const PatchAssembly& assembly, const Positions& start,
+								const Progress& progress) const {
+		NewtonOutcome outcome = solveDirectly(assembly, start, smoothness_, goal_, maxIterations_, progress);
+		const int stepsLeft = maxIterations_ - outcome.iterations;
+		if (outcome.status != Status::Stalled || !holdsPlaces(assembly) || stepsLeft <= 0)
+			return outcome;
+		const NewtonOutcome more = NormalSteps(assembly, smoothness_, goal_, memoryLimit_, progress)
+									   .run(outcome.positions, farthestShare * diagonal(assembly), stepsLeft);
+		outcome.iterations += more.iterations;
+		outcome.positions = more.positions;
+		if (more.status != Status::LimitReached)
+			outcome.status = more.status;
+		return outcome;
+	}
 
 	NewtonOutcome refine(const PatchAssembly& assembly, const CoarseAssembly& coarse,
 						 const NewtonOutcome& coarseOutcome, const Progress& progress) const {
