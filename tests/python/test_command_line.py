@@ -218,8 +218,7 @@ def test_report_of_a_bad_mesh_is_2_in_words(tmp_path):
 
 
 def test_report_without_the_extra_says_what_to_install(tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "meshlab_developable.demo.study", None)
-    monkeypatch.delitem(sys.modules, "meshlab_developable.demo.__main__", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
     result = developable("report", SHOE, "--out", tmp_path / "report")
     assert result.exit_code == 2
     assert "[render]" in result.stderr

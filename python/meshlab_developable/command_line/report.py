@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 from pathlib import Path
 
 import click
@@ -32,15 +33,16 @@ def command(meshes: tuple[Path, ...], out: Path, unit: str) -> None:
       developable report front.obj back.obj --out out/report --unit cm
     """
     with errors_in_words():
-        try:
-            import pymeshlab
+        for name in ("matplotlib", "pyvista"):
+            if importlib.util.find_spec(name) is None:
+                raise DevelopableError(
+                    f"{name} is missing; install it: pip install 'meshlab-developable[render]'"
+                )
+        import pymeshlab
 
-            from meshlab_developable.demo.__main__ import METHODS, run
-            from meshlab_developable.demo.study import Input
-        except ModuleNotFoundError as error:
-            raise DevelopableError(
-                f"{error.name} is missing; install it: pip install 'meshlab-developable[render]'"
-            ) from None
+        from meshlab_developable.demo.__main__ import METHODS, run
+        from meshlab_developable.demo.study import Input
+
         try:
             run([Input(path, f"The mesh {path.name}.", unit) for path in meshes], METHODS, out)
         except pymeshlab.PyMeshLabException as error:
