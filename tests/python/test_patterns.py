@@ -356,6 +356,30 @@ def test_the_grain_that_is_asked_for_stands_upright(tmp_path):
     assert steepest == pytest.approx(4 / 5, abs=1e-9)
 
 
+def test_notches_of_a_narrow_dart_are_at_the_dart(tmp_path):
+    """Where the allowances of a dart's legs meet there is no cut line near: the sew line has the notch."""
+
+    def cone(u, v):
+        radius, turn = 20 + 180 * v, 2 * np.pi * u
+        return radius * np.cos(turn), radius * np.sin(turn), radius * np.sqrt((36 / 35) ** 2 - 1)
+
+    make_patterns(*grid(49, 10, cone), folder=tmp_path, weld_distance=1e-6, notch_spacing=30, formats=["dxf"])
+    (layers,) = readers.read_dxf_blocks(tmp_path / "pattern.dxf").values()
+    (seam,) = json.loads((tmp_path / "pattern.json").read_text())["seams"]
+    ring = sew_ring(layers)
+    on_seam = []
+    for side in seam["sides"]:
+        first, last = (side["edges"][index] for index in (0, -1))
+        starts = ring[first + side["backwards"] - len(ring)], ring[last + 1 - side["backwards"] - len(ring)]
+        line = shapely.LineString(starts)  # the legs are straight
+        on_seam += [line.interpolate(distance) for distance in side["notches_at"]]
+    assert len(on_seam) == len(layers["4"]) >= 10
+    for notch in layers["4"]:
+        assert min(shapely.distance(notch, point) for point in on_seam) < 30
+    sewn = shapely.LinearRing(ring)
+    assert 2 <= sum(shapely.distance(notch, sewn) < 1e-6 for notch in layers["4"]) < len(on_seam)
+
+
 @pytest.mark.parametrize(
     ("mesh", "options", "error", "words"),
     [

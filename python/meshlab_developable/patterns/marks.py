@@ -13,7 +13,7 @@ import shapely
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Array
 from meshlab_developable.patterns.drawing import Drawing, Layer, Notch, Path, Text
-from meshlab_developable.patterns.pieces import Piece, Pieces
+from meshlab_developable.patterns.pieces import MITRE_LIMIT, Piece, Pieces
 from meshlab_developable.sewing import Seam
 
 LETTER_HEIGHT, NAME_HEIGHT = 5.0, 8.0  # mm, on pieces that are large enough
@@ -96,7 +96,9 @@ def draw_piece(
             along = pieces.positions[marked.seam.sides[side]]
             texts.append(_letter(marked, piece, along, side, height))
             depth = min(NOTCH_DEPTH, 0.2 * radius, seam_allowance or np.inf)
-            notches += [_notch(piece, along, edge, share, depth) for edge, share in marked.notches]
+            notches += [
+                _notch(piece, along, edge, share, depth, seam_allowance) for edge, share in marked.notches
+            ]
     return Drawing(piece.name, paths, notches, texts)
 
 
@@ -145,13 +147,13 @@ def _letter(marked: MarkedSeam, piece: Piece, along: Array, side: int, height: f
     return Text(marked.letter, middle - 1.1 * height * _outward(piece, along, edge), height)
 
 
-def _notch(piece: Piece, along: Array, edge: int, share: float, depth: float) -> Notch:
+def _notch(piece: Piece, along: Array, edge: int, share: float, depth: float, allowance: float) -> Notch:
+    """A notch in the cut line; on the sew line where the cut line is elsewhere, as inside a narrow dart."""
     on_seam = (1 - share) * along[edge] + share * along[edge + 1]
     outward = _outward(piece, along, edge)
     on_boundary = on_seam
-    if piece.cut is not piece.sewn and not piece.cut.equals(piece.sewn):
-        reach = shapely.LineString([on_seam, on_seam + outward * 2 * _size(piece)])
-        crossing = reach.intersection(piece.cut.boundary)
-        if not crossing.is_empty:
-            on_boundary = np.array(shapely.shortest_line(shapely.Point(on_seam), crossing).coords[-1])
+    reach = shapely.LineString([on_seam, on_seam + outward * MITRE_LIMIT * allowance])
+    crossing = reach.intersection(piece.cut.boundary)
+    if allowance > 0 and not crossing.is_empty:
+        on_boundary = np.array(shapely.shortest_line(shapely.Point(on_seam), crossing).coords[-1])
     return Notch(on_boundary, on_seam, on_boundary - outward * depth)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 import shapely
@@ -16,7 +16,10 @@ from meshlab_developable.patterns.drawing import Motion
 from meshlab_developable.patterns.options import Size
 
 SECONDS = 1  # that the search for a better layout takes, and as much again for every ten pieces
+Angles = Mapping[str, Sequence[float] | None]  # degrees; None: any
 _TURNS: dict[str, list[float] | None] = {"none": [0.0], "half": [0.0, 180.0], "free": None}
+TRIALS = 3  # to fill a sheet
+FILLED = 0.85  # of a sheet, at most, is tried to be covered
 _ROOM = 1e-3  # mm; spyrrow reckons in single precision
 
 
@@ -28,29 +31,71 @@ class Sheet:
     motions: Mapping[str, Motion]  # by the pieces' names
 
 
-def pack(shapes: Mapping[str, shapely.Polygon], size: Size | None, gap: float, turns: str) -> list[Sheet]:
+def pack(
+    shapes: Mapping[str, shapely.Polygon],
+    size: Size | None,
+    gap: float,
+    turns: str,
+    upright: Collection[str] = (),
+) -> list[Sheet]:
     """Sheets with all the shapes on them, at least a gap (mm) apart and half a gap from the edges.
 
     size: of the sheets, mm; None: one sheet, as large as needed. turns: "none", "half" (a half turn keeps the
-    grain) or "free". Raises PatternError, naming the shapes, when some are larger than a sheet.
+    grain) or "free", but for shapes that stay upright. Raises PatternError, naming the shapes, when some are
+    larger than a sheet.
     """
     if not shapes:
         return []
     padded = {name: _padded(shape, gap) for name, shape in shapes.items()}
+    angles = {name: [0.0] if name in upright else _TURNS[turns] for name in shapes}
     if size is None:
-        return [_only_sheet(padded, turns)]
+        return [_only_sheet(padded, angles, turns)]
     _require_room(shapes, padded, size, turns)
     sheets = []
     while padded:
-        _, motions = _strip(padded, size[1], turns)
-        here = {
-            name: motion
-            for name, motion in motions.items()
-            if shapely.transform(padded[name], motion).bounds[2] <= size[0] + _ROOM
-        }
+        here = _fill_sheet(padded, angles, size)
+        if not here:
+            name = next(iter(padded))
+            here = {name: _alone(padded[name], size, turns)}
         sheets.append(Sheet(size, here))
         padded = {name: shape for name, shape in padded.items() if name not in here}
     return sheets
+
+
+def _fill_sheet(padded: Mapping[str, shapely.Polygon], angles: Angles, size: Size) -> dict[str, Motion]:
+    """A sheet with as many of the shapes as find room; none when the search was out of luck."""
+    best: dict[str, Motion] = {}
+    left = dict(padded)
+    for _ in range(TRIALS):
+        chosen = _about_a_sheet(left, size)
+        motions = _strip(chosen, angles, size[1])[1]
+        here = {
+            name: motion
+            for name, motion in motions.items()
+            if shapely.transform(chosen[name], motion).bounds[2] <= size[0] + _ROOM
+        }
+        if _area(padded, here) > _area(padded, best):
+            best = here
+        if len(here) == len(chosen) or not here:
+            break
+        # Smaller ones in place of those that stuck out.
+        left = {name: shape for name, shape in left.items() if name in here or name not in chosen}
+    return best
+
+
+def _area(shapes: Mapping[str, shapely.Polygon], names: Iterable[str]) -> float:
+    return float(sum(shapes[name].area for name in names))
+
+
+def _about_a_sheet(padded: Mapping[str, shapely.Polygon], size: Size) -> dict[str, shapely.Polygon]:
+    """Shapes, the largest first, as many as may find room on a sheet together."""
+    room = FILLED * size[0] * size[1]
+    chosen: dict[str, shapely.Polygon] = {}
+    for name, shape in sorted(padded.items(), key=lambda item: -item[1].area):
+        if shape.area <= room or not chosen:
+            chosen[name] = shape
+            room -= shape.area
+    return chosen
 
 
 def _padded(shape: shapely.Polygon, gap: float) -> shapely.Polygon:
@@ -59,11 +104,11 @@ def _padded(shape: shapely.Polygon, gap: float) -> shapely.Polygon:
     return shape.buffer(gap / 2 + slack, join_style="mitre", mitre_limit=2).simplify(slack / 2)
 
 
-def _only_sheet(padded: Mapping[str, shapely.Polygon], turns: str) -> Sheet:
+def _only_sheet(padded: Mapping[str, shapely.Polygon], angles: Angles, turns: str) -> Sheet:
     boxes = np.array([shape.bounds for shape in padded.values()])
     area = sum(shape.area for shape in padded.values())
     height = max(1.01 * _tallest(padded.values(), turns), math.sqrt(1.2 * area))
-    _, motions = _strip(padded, height, turns)
+    _, motions = _strip(padded, angles, height)
     boxes = np.array([shapely.transform(padded[name], motion).bounds for name, motion in motions.items()])
     (left, low), (right, high) = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
     shifted = {
@@ -87,7 +132,7 @@ def _require_room(
     size: Size,
     turns: str,
 ) -> None:
-    too_large = [name for name, shape in padded.items() if not _fits(shape, size, turns)]
+    too_large = [name for name, shape in padded.items() if _fitting_angle(shape, size, turns) is None]
     if not too_large:
         return
     left, low, right, high = shapes[too_large[0]].bounds
@@ -99,24 +144,32 @@ def _require_room(
     )
 
 
-def _fits(shape: shapely.Polygon, size: Size, turns: str) -> bool:
+def _fitting_angle(shape: shapely.Polygon, size: Size, turns: str) -> float | None:
+    """A turn, degrees, with which the shape is no larger than a sheet."""
     for angle in range(0, 180, 5) if turns == "free" else [0]:
         left, low, right, high = shapely.transform(shape, Motion(angle)).bounds
         if right - left <= size[0] and high - low <= size[1]:
-            return True
-    return False
+            return angle
+    return None
+
+
+def _alone(shape: shapely.Polygon, size: Size, turns: str) -> Motion:
+    """In the corner of a sheet that it fits."""
+    angle = _fitting_angle(shape, size, turns) or 0
+    left, low, _, _ = shapely.transform(shape, Motion(angle)).bounds
+    return Motion(angle, (-left, -low))
 
 
 def _strip(
-    padded: Mapping[str, shapely.Polygon], height: float, turns: str
+    padded: Mapping[str, shapely.Polygon], angles: Angles, height: float
 ) -> tuple[float, dict[str, Motion]]:
     """How long a strip of that height must be, and where the shapes go."""
-    if len(padded) == 1 and turns != "free":
-        name, shape = next(iter(padded.items()))
+    name, shape = next(iter(padded.items()))
+    if len(padded) == 1 and angles[name] is not None:
         left, low, right, _ = shape.bounds
         return right - left, {name: Motion(0.0, (-left, -low))}
     items = [
-        spyrrow.Item(name, shape.exterior.coords[:-1], 1, _TURNS[turns]) for name, shape in padded.items()
+        spyrrow.Item(name, shape.exterior.coords[:-1], 1, angles[name]) for name, shape in padded.items()
     ]
     settings = spyrrow.StripPackingConfig(
         early_termination=True, total_computation_time=SECONDS * (1 + len(items) // 10), num_workers=1, seed=1

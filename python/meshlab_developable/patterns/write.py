@@ -114,7 +114,7 @@ def _laid_out(pieces: Pieces, options: PatternOptions) -> list[Sheet]:
     square = print_check()
     if options.sheet_size is None or min(options.sheet_size) > 101 + 1.2 * options.gap:
         shapes[square.name] = shapely.Polygon(square.paths[0].points)
-    return pack(shapes, options.sheet_size, options.gap, options.turns)
+    return pack(shapes, options.sheet_size, options.gap, options.turns, upright=[square.name])
 
 
 def _sheet_drawings(name: str, drawings: Sequence[Drawing], sheets: Sequence[Sheet]) -> list[SheetDrawing]:
