@@ -6,8 +6,10 @@
 #include "documents.h"
 #include "loaded_plugin.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QtTest>
 #include <common_gui/rich_parameter/richparameterlistdialog.h>
 
@@ -98,7 +100,50 @@ private slots:
 		QVERIFY(largest.toDouble() > 0.2 && largest.toDouble() < 0.25 + 1e-9);
 	}
 
+	void whatIsTypedArrivesWhateverItsType() {
+		MeshDocument document;
+		addLayer(document, smallPanel(10));
+		RichParameterList list = plugin_.parameters("Global Developability", document);
+		RichParameterListDialog dialog(nullptr, list);
+		QList<QLineEdit*> lines; // of numbers that are no lengths: boxes have lines of their own inside
+		for (QLineEdit* line : dialog.findChildren<QLineEdit*>())
+			if (qobject_cast<QAbstractSpinBox*>(line->parentWidget()) == nullptr)
+				lines.push_back(line);
+		QCOMPARE(lines.size(), 5);
+		type(lines[0], "0.02"); // angle_tolerance
+		type(lines[2], "7");    // max_iterations
+		const QList<QCheckBox*> switches = dialog.findChildren<QCheckBox*>();
+		QCOMPARE(switches.size(), 4);
+		switches[1]->click(); // fix_boundary
+		dialog.findChildren<QComboBox*>().first()->setCurrentText("Conjugate gradient");
+		dialog.getAccept();
+		QCOMPARE(float(list.getFloat("angle_tolerance")), 0.02f); // the dialog reads single precision
+		QCOMPARE(list.getInt("max_iterations"), 7);
+		QVERIFY(list.getBool("fix_boundary") && !list.getBool("fix_selected"));
+		QCOMPARE(list.getEnum("solver"), 1);
+	}
+
+	void theChosenLayerArrives() {
+		MeshDocument document;
+		const MeshModel& other = addLayer(document, smallPanel(9));
+		addLayer(document, smallPanel(10));
+		RichParameterList list = plugin_.parameters("Developability Maps", document);
+		RichParameterListDialog dialog(nullptr, list);
+		const QList<QComboBox*> choices = dialog.findChildren<QComboBox*>(); // patches, map, reference
+		QCOMPARE(choices.size(), 3);
+		QCOMPARE(choices[2]->count(), 2);
+		choices[2]->setCurrentIndex(1 - choices[2]->currentIndex());
+		dialog.getAccept();
+		QCOMPARE(list.getMeshId("reference"), other.id());
+	}
+
 private:
+	static void type(QLineEdit* line, const QString& text) {
+		line->selectAll();
+		QTest::keyClicks(line, text);
+		QTest::keyClick(line, Qt::Key_Return);
+	}
+
 	static void type(QDoubleSpinBox* box, const QString& text) {
 		box->selectAll();
 		QTest::keyClicks(box, text);
