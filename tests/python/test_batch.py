@@ -6,6 +6,7 @@ from __future__ import annotations
 import fcntl
 import html.parser
 import json
+import re
 import shutil
 import signal
 import subprocess
@@ -23,7 +24,7 @@ import pytest
 from click.testing import CliRunner
 from distributed import LocalCluster
 from meshlab_developable import filters
-from meshlab_developable.batch import Settings
+from meshlab_developable.batch import Settings, State
 from meshlab_developable.batch.inputs import find_inputs
 from meshlab_developable.batch.settings import read_settings
 from meshlab_developable.batch.thumbnails import BACKGROUND, SIZE, draw
@@ -321,6 +322,18 @@ def test_settings_arrive(tmp_path):
     path = tmp_path / "settings.toml"
     path.write_text('method = "local"\ntime_limit = 5\nmemory_limit = 100\n[parameters]\ndescent = true\n')
     assert read_settings(path) == Settings("local", {"descent": True}, 5, 100)
+
+
+def test_the_pages_settings_are_settings(tmp_path):
+    page = (MODELS.parent / "docs" / "batch.md").read_text("utf-8")
+    (example,) = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
+    (tmp_path / "settings.toml").write_text(example)
+    settings = read_settings(tmp_path / "settings.toml")
+    assert (settings.method, settings.time_limit, settings.memory_limit) == ("global", 600, 2000)
+    assert settings.parameters == {"angle_tolerance": 0.001, "fix_boundary": True}
+    assert f"{Settings().time_limit:g} when not given" in page
+    assert f"{Settings().memory_limit:g} when not given" in page
+    assert all(f"`{state}`" in page for state in State)
 
 
 def test_results_of_different_inputs_do_not_meet(tmp_path):
