@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from browser import browser, picture
 from meshlab_developable.demo.__main__ import METHODS, demo_inputs, run
+from meshlab_developable.demo.study import MAPS
 from selenium.webdriver import ActionChains, Keys
 from selenium.webdriver.common.by import By
 
@@ -47,7 +48,7 @@ def test_the_page_renders_without_an_error(page, canvas):
     assert page.get_log("browser") == []
     broken = "return [...document.images].filter(image => !image.complete || !image.naturalWidth).length"
     assert page.execute_script(broken) == 0
-    assert len(page.find_elements(By.TAG_NAME, "img")) == 5
+    assert len(page.find_elements(By.TAG_NAME, "img")) == len(MAPS) + 2
     wide = "return document.documentElement.scrollWidth <= document.documentElement.clientWidth"
     assert page.execute_script(wide)
 

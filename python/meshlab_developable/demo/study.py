@@ -133,7 +133,32 @@ MAPS = (
         False,
         "The squared angle defect, as in Fig. 5 to 7 of the paper. The paper's methods lower its sum.",
     ),
+    MapKind(
+        "Gaussian curvature",
+        "Gaussian curvature κ, 1/({unit})²",
+        True,
+        "The angle defect for each unit of area (Eq. 1), which does not depend on how fine the mesh is.",
+    ),
+    MapKind(
+        "Minimum curvature",
+        "|κ_min|, 1/({unit})",
+        False,
+        "The principal curvature of smaller absolute value: 0 on a developable surface (Fig. 10).",
+    ),
+    MapKind(
+        "Maximum curvature",
+        "|κ_max|, 1/({unit})",
+        False,
+        "The other principal curvature: how strongly the material is bent (Fig. 10).",
+    ),
     MapKind("Displacement", "distance moved, {unit}", False, "How far each vertex moved.", before_too=False),
+    MapKind(
+        "Distance",
+        "distance to the surface before, {unit}",
+        False,
+        "How far each vertex is from the nearest point of the surface before (Fig. 8).",
+        before_too=False,
+    ),
 )
 EYE_ABOVE = View((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 
