@@ -323,6 +323,18 @@ def test_without_an_allowance_both_lines_are_one(tmp_path, caplog):
     assert not caplog.records  # the libraries have nothing to complain of
 
 
+def test_names_that_dxf_can_not_have_give_blocks_of_their_own(tmp_path):
+    names = ("袖", "背")
+    made = make_patterns(*two_bumps(), folder=tmp_path, unit=300, piece_names=names)
+    blocks = readers.read_dxf_blocks(tmp_path / "pattern.dxf")
+    pieces = json.loads((tmp_path / "pattern.json").read_text(encoding="utf-8"))["pieces"]
+    assert [piece["name"] for piece in pieces] == list(names)
+    assert {piece["dxf_block"] for piece in pieces} == set(blocks)
+    assert len(blocks) == 2
+    assert set(names) < set(readers.read_svg(tmp_path / "pattern.svg"))
+    assert any("PDF has no letters for 袖, 背" in note for note in made.notes)
+
+
 def test_lines_of_the_model_are_on_the_pieces_that_they_run_over(tmp_path):
     """A line across the seam of two sheets, along a row of their grids."""
     positions, triangles = two_bumps()

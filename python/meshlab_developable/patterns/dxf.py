@@ -28,8 +28,8 @@ def write_dxf(file: FilePath, title: str, drawings: Sequence[Drawing], motions: 
     for layer in Layer:
         document.layers.add(str(layer.value))
     space = document.modelspace()
-    for drawing, motion in zip(drawings, motions, strict=True):
-        name = block_name(drawing.name)
+    names = block_names([drawing.name for drawing in drawings])
+    for name, drawing, motion in zip(names, drawings, motions, strict=True):
         block = document.blocks.new(name)
         _fill(block, drawing)
         attributes = {"layer": str(Layer.BOUNDARY.value), "rotation": motion.angle}
@@ -52,12 +52,18 @@ def write_dxf(file: FilePath, title: str, drawings: Sequence[Drawing], motions: 
     gerber_D6673.export_file(document, str(file))
 
 
-def block_name(piece: str) -> str:
-    """The piece's name as DXF R12 allows it: capitals, digits, - and _."""
-    return "".join(
-        letter if letter.isascii() and (letter.isalnum() or letter == "-") else "_"
-        for letter in piece.upper()
-    )
+def block_names(pieces: Sequence[str]) -> list[str]:
+    """The pieces' names as DXF R12 allows them: capitals, digits, - and _, at most 31, each but once."""
+    names: list[str] = []
+    for number, piece in enumerate(pieces):
+        letters = "".join(
+            letter if letter.isascii() and (letter.isalnum() or letter == "-") else "_"
+            for letter in piece.upper()
+        )
+        names.append(
+            letters if len(letters) <= 31 and letters not in names else f"{letters[:20]}_{number + 1}"
+        )
+    return names
 
 
 def _fill(block: Any, drawing: Drawing) -> None:

@@ -23,7 +23,7 @@ def trace_lines(flat: FlatteningResult, lines: Sequence[npt.ArrayLike]) -> list[
 
     lines: k x 3 each, vertices of the mesh from one to its neighbour. Raises PatternError where they are not.
     """
-    edges = _edges_by_places(flat)
+    edges = _edges_by_places(flat) if len(lines) else {}
     found = []
     for number, line in enumerate(lines):
         places = _places(flat, line, number + 1)

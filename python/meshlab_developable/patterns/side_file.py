@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from meshlab_developable.mesh_sets import Array, IndexArray
-from meshlab_developable.patterns.dxf import block_name
+from meshlab_developable.patterns.dxf import block_names
 from meshlab_developable.patterns.marks import MarkedSeam
 from meshlab_developable.patterns.packing import Sheet
 from meshlab_developable.patterns.pieces import Piece, Pieces
@@ -33,14 +33,17 @@ def write_side_file(
     content = {
         "title": title,
         "unit": "mm",
-        "pieces": [_piece(piece, pieces.positions, sheets) for piece in pieces.pieces],
+        "pieces": [
+            _piece(piece, block, pieces.positions, sheets)
+            for piece, block in zip(pieces.pieces, block_names(names), strict=True)
+        ],
         "seams": [_seam(marked, pieces, names) for marked in seams],
         "notes": list(pieces.notes),
     }
     file.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
-def _piece(piece: Piece, positions: Array, sheets: Sequence[Sheet]) -> dict[str, Any]:
+def _piece(piece: Piece, block: str, positions: Array, sheets: Sequence[Sheet]) -> dict[str, Any]:
     number, motion = next(
         (number, sheet.motions[piece.name])
         for number, sheet in enumerate(sheets)
@@ -48,7 +51,7 @@ def _piece(piece: Piece, positions: Array, sheets: Sequence[Sheet]) -> dict[str,
     )
     return {
         "name": piece.name,
-        "dxf_block": block_name(piece.name),
+        "dxf_block": block,
         "sheet": number + 1,
         "turned_degrees": motion.angle,
         "shifted": list(motion.shift),

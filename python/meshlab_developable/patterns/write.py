@@ -90,7 +90,7 @@ def write_patterns(
         piece_names=tuple(piece.name for piece in pieces.pieces),
         sheets=tuple(sheet.size for sheet in sheets),
         seams=seams,
-        notes=(*pieces.notes, *_strain_notes(flat, options)),
+        notes=(*pieces.notes, *_strain_notes(flat, options), *_name_notes(pieces, options)),
         flattening=flat,
     )
 
@@ -106,6 +106,14 @@ def _strain_notes(flat: FlatteningResult, options: PatternOptions) -> list[str]:
     if mismatch > NOTABLE_MISMATCH:
         notes.append(f"The sides of a seam differ by up to {mismatch:.2g} mm.")
     return notes
+
+
+def _name_notes(pieces: Pieces, options: PatternOptions) -> list[str]:
+    names = [piece.name for piece in pieces.pieces]
+    unknown = [name for name in names if name != name.encode("latin-1", "ignore").decode("latin-1")]
+    if not unknown or "pdf" not in options.formats:
+        return []
+    return [f"PDF has no letters for {', '.join(unknown)}; the names are in the other files."]
 
 
 def _laid_out(pieces: Pieces, options: PatternOptions) -> list[Sheet]:
