@@ -64,8 +64,8 @@ def test_a_filter_is_found_and_colours_the_model(name, report, program, tmp_path
         before = host.view()
         dialog = host.open(name)
         keep(dialog.picture(), BUILD / "screenshots" / f"{name} 2025.07 dialog.png")
-        dialog.desktop.xdotool("key", "Return")  # Apply is the default
-        host.wait_for_log(f"Applied filter {name}")
+        dialog.click(0.75, 22)
+        host.wait_for_log(f"Applied filter: {name}")
         assert [line for line in host.log() if line.startswith(report)], host.log()
         assert [line for line in host.log() if line.startswith("vertex colours: ")]
         after = host.view()
