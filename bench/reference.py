@@ -8,6 +8,7 @@ wrinkling, from which the displacement at the wrinkling of constrained Newton is
 Run by bench/run.sh reference [COLUMNS]: the shapes of solvers.py on a grid (31), with and without noise.
 """
 
+import math
 import subprocess
 import sys
 import tempfile
@@ -18,7 +19,7 @@ import numpy as np
 import scipy.sparse as sparse
 
 SHAPES = ("cap", "saddle", "bump", "wave", "vamp", "steep_bump", "holes")
-SMOOTHNESSES = (1e-5, 3e-6, 1e-6, 3e-7)
+SMOOTHNESSES = (3e-5, 1e-5, 3e-6, 1e-6)
 
 
 def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -96,10 +97,20 @@ def nearest(
     w = casadi.DM.triplet(weight.row.tolist(), weight.col.tolist(), weight.data.tolist(), *weight.shape)
     d = x - points.T
     problem = {"x": casadi.vec(x), "f": casadi.trace(d @ w @ d.T) / 2, "g": defects(x, triangles)}
-    options = {"ipopt.print_level": 0, "print_time": False, "ipopt.max_iter": 500, "ipopt.tol": 1e-7}
+    options = {"ipopt.print_level": 0, "print_time": False, "ipopt.max_iter": 300, "ipopt.tol": 1e-7}
     solver = casadi.nlpsol("nearest", "ipopt", problem, options)
     result = solver(x0=start.ravel(), lbg=0, ubg=0)
     return np.array(result["x"]).reshape(-1, 3), solver.stats()["return_status"]
+
+
+def displacement_at(wrinkling: float, curve: list[tuple[float, float, float, float, str]]) -> float:
+    """Read off the curve of solved problems; not a number beyond its ends."""
+    good = ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+    solved = sorted((wrinkles, moved) for moved, wrinkles, _, _, status in curve if status in good)
+    if not solved:
+        return math.nan
+    wrinkles, moved = zip(*solved, strict=True)
+    return float(np.interp(wrinkling, wrinkles, moved, left=math.nan, right=math.nan))
 
 
 def write_off(path: Path, points: np.ndarray, triangles: np.ndarray) -> None:
@@ -140,12 +151,7 @@ def main() -> None:
                     start, status = nearest(points, triangles, smoothness, start)
                     write_off(other, start, triangles)
                     curve.append((*measured(before, other), smoothness, status))
-                solved = sorted(
-                    (c[1], c[0]) for c in curve if c[4] in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
-                )
-                at_same = (
-                    np.interp(wrinkling, [c[0] for c in solved], [c[1] for c in solved]) if solved else np.nan
-                )
+                at_same = displacement_at(wrinkling, curve)
                 text = "; ".join(f"{c[3]:.0e}: {c[0]:.3g}, {c[1]:.3g} ({c[4]})" for c in curve)
                 print(
                     f"| {shape} {columns}{' noise' if noise != '0' else ''} | {moved:.3g} | {at_same:.3g} | "

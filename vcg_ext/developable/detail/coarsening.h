@@ -24,7 +24,7 @@ class Coarsening {
 public:
 	explicit Coarsening(const PatchAssembly& assembly)
 		: assembly_(assembly), triangles_(assembly.triangleCopies), alive_(assembly.triangleCount(), 1),
-		  target_(assembly.copyCount(), -1), placeCount_(assembly.placeCount()) {
+		  placeCount_(assembly.placeCount()) {
 		fans_.resize(assembly.copyCount());
 		for (int copy = 0; copy < assembly.copyCount(); ++copy)
 			for (int i = assembly.cornerStart[copy]; i < assembly.cornerStart[copy + 1]; ++i)
@@ -50,7 +50,7 @@ private:
 	static constexpr double leastTurn = 0.9;    ///< cosine of the turn at which a curve has a corner
 	static constexpr double leastNormal = 0.5;  ///< cosine of the angle a triangle may turn by
 	static constexpr double worstCotangent = 4; ///< of a new triangle's angles
-	static constexpr int largestFan = 9;
+	static constexpr int largestFan = 9; ///< of a place that goes: it would leave a fan that is no better
 
 	Eigen::Vector3d position(int copy) const {
 		return assembly_.originalPositions.col(assembly_.placeOfCopy[copy]);
@@ -132,12 +132,8 @@ private:
 			for (const int neighbour : curveNeighbours_[place])
 				consider(neighbour);
 		else
-			for (const int t : fans_[copies_[place][0]]) {
-				const int corner = cornerOf(t, copies_[place][0]);
-				consider(assembly_.placeOfCopy[triangles_((corner + 1) % 3, t)]);
-				if (assembly_.triangleReversed[t])
-					consider(assembly_.placeOfCopy[triangles_((corner + 2) % 3, t)]);
-			}
+			for (const int t : fans_[copies_[place][0]])
+				consider(assembly_.placeOfCopy[triangles_((cornerOf(t, copies_[place][0]) + 1) % 3, t)]);
 		if (best >= 0)
 			collapse(place, best);
 	}
@@ -195,12 +191,8 @@ private:
 				if (worst >= limit)
 					return never;
 			}
-		}
-		for (const int copy : copies_[place]) {
-			int shared = 0;
-			const int other = copyBeside(copy, neighbour, shared);
-			if (commonNeighbours(copy, other) != (onCurve ? 1 : 2) ||
-				fans_[copy].size() <= static_cast<std::size_t>(onCurve ? 1 : 2))
+			// The link condition (Dey et al. 1999): else the patch would change its topology.
+			if (commonNeighbours(copy, other) != shared || static_cast<int>(fans_[copy].size()) <= shared)
 				return never;
 		}
 		return worst;
@@ -304,7 +296,6 @@ private:
 	const PatchAssembly& assembly_;
 	Eigen::Matrix3Xi triangles_; // copies
 	std::vector<char> alive_;
-	std::vector<int> target_;
 	int placeCount_;
 	std::vector<std::vector<int>> fans_, copies_; // triangles of a copy, copies of a place
 	std::vector<std::array<int, 2>> curveNeighbours_;

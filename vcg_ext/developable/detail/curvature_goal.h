@@ -7,6 +7,7 @@
 #include "../report.h"
 
 #include <cmath>
+#include <cstdio>
 
 namespace developable::detail {
 
@@ -63,9 +64,13 @@ struct NewtonOutcome {
 	double smoothness = 0; ///< the largest α that a patch was given
 };
 
-inline std::string describeCurvature(double curvature, int steps) {
-	return "Total absolute curvature " + std::to_string(curvature) + " rad after " + std::to_string(steps) +
-		   " steps";
+/// What of the total absolute curvature is gone after some steps, in words.
+inline std::string describeCurvature(double start, double left, int steps) {
+	char text[160];
+	std::snprintf(text, sizeof text,
+				  "%d steps: %.4g %% of the total absolute curvature removed, %.3g rad left", steps,
+				  100 * (1 - left / start), left);
+	return text;
 }
 
 } // namespace developable::detail

@@ -163,7 +163,7 @@ private:
 
 	bool mayGoOnNow() const {
 		return mayGoOn(progress_, goal_.shareRemoved(startCurvature_, state_.curvature),
-					   describeCurvature(state_.curvature, iterations_ - 1));
+					   describeCurvature(startCurvature_, state_.curvature, iterations_ - 1));
 	}
 
 	const PatchAssembly& assembly_;

@@ -112,8 +112,9 @@ private:
 	}
 
 	bool mayGoOnNow() const {
-		return mayGoOn(progress_, goal_.shareRemoved(startCurvature_, defects_.cwiseAbs().sum()),
-					   describeCurvature(defects_.cwiseAbs().sum(), iterations_));
+		const double left = defects_.cwiseAbs().sum();
+		return mayGoOn(progress_, goal_.shareRemoved(startCurvature_, left),
+					   describeCurvature(startCurvature_, left, iterations_));
 	}
 
 	const PatchAssembly& assembly_;
