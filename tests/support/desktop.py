@@ -21,6 +21,7 @@ from PIL import Image
 
 SIZE = 1280, 900
 PATIENCE = 120  # seconds; a busy machine draws slowly
+CURSOR = 64  # pixels at the most, of a text cursor that blinks
 
 Result = TypeVar("Result")
 
@@ -152,13 +153,13 @@ class Desktop:
         return rows[:, : 4 * width].reshape(height, width, 4)[:, :, 2::-1].copy()
 
     def still(self) -> np.ndarray:
-        """The screen once it has not changed for half a second."""
+        """The screen once nothing but a text cursor has changed for half a second."""
 
         def look() -> list[np.ndarray]:
             before = self.screen()
             time.sleep(0.5)
             after = self.screen()
-            return [after] if np.array_equal(before, after) else []
+            return [after] if np.any(before != after, axis=2).sum() <= CURSOR else []
 
         return wait_for("a still screen", look)[0]
 

@@ -76,4 +76,19 @@ inline Positions expectConverges(const PatchAssembly& assembly, double mostMeanD
 	return positions;
 }
 
+/// Runs to the end and checks what "needs a cut" promises: less curvature than before, in order, and where
+/// the report says that it sits.
+inline void expectNeedsCut(const PatchAssembly& assembly) {
+	Positions positions = assembly.originalPositions;
+	const Measures before = measure(assembly, positions, 1e-4);
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+	const Measures after = measure(assembly, positions, 1e-4);
+	EXPECT_EQ(report.status, Status::NeedsCut);
+	EXPECT_LT(after.detectFunction, before.detectFunction);
+	EXPECT_LT(after.totalAbsoluteCurvature, before.totalAbsoluteCurvature);
+	EXPECT_NEAR(report.patchCurvature[report.worstPatch], after.totalAbsoluteCurvature, 1e-9);
+	EXPECT_NEAR(std::abs(angleDefects(assembly, positions)[report.worstCopy]), after.maxAngleDefect, 1e-15);
+	expectSound(assembly, positions);
+}
+
 } // namespace developable::test
