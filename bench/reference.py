@@ -5,7 +5,8 @@ IPOPT (Wächter and Biegler 2006), with exact second derivatives by CasADi, find
 length of displacements ‖d‖_W under g = 0, for a row of smoothnesses: a curve of displacement against
 wrinkling, from which the displacement at the wrinkling of constrained Newton is read. Needs casadi and scipy.
 
-Run by bench/run.sh reference [COLUMNS]: the shapes of solvers.py on a grid (31), with and without noise.
+Run by bench/run.sh reference [COLUMNS [SHAPE...]]: shapes of solvers.py, all by default, on a grid (31),
+with and without noise.
 """
 
 import math
@@ -97,7 +98,7 @@ def nearest(
     w = casadi.DM.triplet(weight.row.tolist(), weight.col.tolist(), weight.data.tolist(), *weight.shape)
     d = x - points.T
     problem = {"x": casadi.vec(x), "f": casadi.trace(d @ w @ d.T) / 2, "g": defects(x, triangles)}
-    options = {"ipopt.print_level": 0, "print_time": False, "ipopt.max_iter": 300, "ipopt.tol": 1e-7}
+    options = {"ipopt.print_level": 0, "print_time": False, "ipopt.max_iter": 500, "ipopt.tol": 1e-7}
     solver = casadi.nlpsol("nearest", "ipopt", problem, options)
     result = solver(x0=start.ravel(), lbg=0, ubg=0)
     return np.array(result["x"]).reshape(-1, 3), solver.stats()["return_status"]
@@ -137,7 +138,7 @@ def main() -> None:
     print(f"| {' | '.join(titles)} | IPOPT's curve: smoothness: moved, wrinkling |\n{'|---' * 6}|")
     with tempfile.TemporaryDirectory() as name:
         before, ours, other = (Path(name) / f"{part}.off" for part in ("before", "ours", "other"))
-        for shape in SHAPES:
+        for shape in sys.argv[3:] or SHAPES:
             for noise in ("0", "0.02"):
                 subprocess.run([executable, "shape", shape, columns, noise, before], check=True)
                 subprocess.run(
