@@ -12,7 +12,6 @@ namespace developable::detail {
 struct CoarseAssembly {
 	PatchAssembly assembly;
 	std::vector<int> finePlace; ///< per coarse place
-	std::vector<int> finePatch; ///< per coarse patch
 };
 
 /// Takes places out by collapsing each into a neighbour, as independent sets (no two of one sweep are
@@ -281,15 +280,11 @@ private:
 		mesh.leastHeightRatio = assembly_.leastHeightRatio;
 		PatchOptions options;
 		options.fixSelected = true;
-		CoarseAssembly result{assemblePatches(mesh, options), {}, {}};
+		CoarseAssembly result{assemblePatches(mesh, options), {}};
 		result.finePlace.resize(result.assembly.placeCount());
 		for (std::size_t vertex = 0; vertex < copyOfVertex.size(); ++vertex)
 			result.finePlace[result.assembly.placeOfVertex[vertex]] =
 				assembly_.placeOfCopy[copyOfVertex[vertex]];
-		result.finePatch.resize(result.assembly.patchCount());
-		for (int t = 0; t < result.assembly.triangleCount(); ++t)
-			result.finePatch[result.assembly.patchOfTriangle[t]] =
-				assembly_.patchOfTriangle[kept[result.assembly.faceOfTriangle[t]]];
 		return result;
 	}
 

@@ -25,7 +25,6 @@ public:
 
 	NewtonOutcome run(const Positions& start, int maxIterations) {
 		begin(start, maxIterations);
-		leastEpsilon_ = 4e-5 * epsilon_;
 		Status status = followPath();
 		if (status == Status::Stalled)
 			status = land();
@@ -35,7 +34,6 @@ public:
 	/// The landing alone, from a shape that is nearly there.
 	NewtonOutcome landFrom(const Positions& start, int maxIterations) {
 		begin(start, maxIterations);
-		leastEpsilon_ = 4e-5 * epsilon_;
 		epsilon_ = leastEpsilon_;
 		return outcome(land());
 	}
@@ -60,6 +58,7 @@ private:
 		startCurvature_ = state_.curvature;
 		jacobian_.linearize(start);
 		epsilon_ = solver_.findGreatestResponse(state_.scaled) / 4;
+		leastEpsilon_ = 4e-5 * epsilon_;
 	}
 
 	/// A developable shape that is not near the original any more is none that was looked for.
