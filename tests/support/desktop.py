@@ -184,6 +184,7 @@ class MeshLab:
             desktop.window(question).keys("alt+n")
         self.window = desktop.window("MeshLab")
         self.wait_for_log("Opened mesh")
+        wait_for("the model in the view", self.shows_a_model)  # the log comes before the picture
 
     def log(self):
         lines = self.desktop.printed("meshlab").splitlines()
@@ -209,6 +210,11 @@ class MeshLab:
         dialog = self.desktop.window(name)
         self.desktop.still()
         return dialog
+
+    def shows_a_model(self):
+        """Whether a part of the view stands out from the backdrop, which has one colour along a row."""
+        view = self.view()
+        return (np.abs(view - view[:, :1]).max(axis=2) > 40).mean() > 0.05
 
     def view(self):
         self.desktop.xdotool("mousemove", "1270", "890")  # the pointer shows too
