@@ -50,6 +50,7 @@ def main() -> None:
         "defects, ns",
         "gradient, ns",
         "both, ns",
+        "both without AVX2, ns",
         "MeshLab's energy, ns",
         "times faster",
         "global, bytes",
@@ -62,11 +63,11 @@ def main() -> None:
             line = subprocess.run(
                 [sys.argv[1], str(size), str(mesh)], check=True, capture_output=True, text=True
             ).stdout
-            triangles, defects, gradient, for_global, for_local = map(float, line.split())
+            triangles, defects, gradient, narrow, for_global, for_local = map(float, line.split())
             ours, theirs = defects + gradient, meshlab_nanoseconds(mesh, int(triangles))
             print(
-                f"| {triangles:.0f} | {defects:.1f} | {gradient:.1f} | {ours:.1f} | {theirs:.0f} "
-                f"| {theirs / ours:.0f} | {for_global:.0f} | {for_local:.0f} |",
+                f"| {triangles:.0f} | {defects:.1f} | {gradient:.1f} | {ours:.1f} | {narrow:.1f} "
+                f"| {theirs:.0f} | {theirs / ours:.0f} | {for_global:.0f} | {for_local:.0f} |",
                 flush=True,
             )
 

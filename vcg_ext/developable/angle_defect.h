@@ -3,6 +3,7 @@
 #pragma once
 
 #include "detail/corner_geometry.h"
+#include "detail/fan_angles.h"
 #include "detail/triangle_kernel.h"
 #include "patch_assembly.h"
 
@@ -13,16 +14,9 @@ namespace detail {
 /// The cotangents of all corners, 3 x triangles.
 inline Eigen::Matrix3Xd cornerCotangents(const PatchAssembly& assembly, const Positions& positions) {
 	Eigen::Matrix3Xd result(3, assembly.triangleCount());
-	allCotangents(positions.data(), assembly.trianglePlaces.data(), assembly.triangleCount(), result.data());
+	runWide(CotangentKernel{positions.data(), assembly.trianglePlaces.data(), assembly.triangleCount(),
+							result.data()});
 	return result;
-}
-
-/// The angle defect of a copy inside its patch, from the cotangents of all corners.
-inline double angleDefect(const PatchAssembly& assembly, const Eigen::Matrix3Xd& cotangents, int copy) {
-	AngleSum sum;
-	for (int i = assembly.cornerStart[copy]; i < assembly.cornerStart[copy + 1]; ++i)
-		sum.add(cotangents.data()[assembly.corners[i]]);
-	return sum.defect();
 }
 
 } // namespace detail
@@ -32,10 +26,9 @@ inline double angleDefect(const PatchAssembly& assembly, const Eigen::Matrix3Xd&
 /// \return           per copy, rad; not a number where a triangle has no area
 inline Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& positions) {
 	const Eigen::Matrix3Xd cotangents = detail::cornerCotangents(assembly, positions);
-	Eigen::VectorXd defects = Eigen::VectorXd::Zero(assembly.copyCount());
-	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		if (assembly.copyInterior[copy])
-			defects[copy] = detail::angleDefect(assembly, cotangents, copy);
+	Eigen::VectorXd defects(assembly.copyCount());
+	detail::runWide(detail::FanKernel{cotangents.data(), assembly.corners.data(), assembly.cornerStart.data(),
+									  assembly.copyCount(), assembly.copyInterior.data(), defects.data()});
 	return defects;
 }
 
@@ -50,9 +43,9 @@ inline double detectFunction(const Eigen::VectorXd& defects) {
 inline Positions weightedDefectGradient(const PatchAssembly& assembly, const Positions& positions,
 										const Eigen::VectorXd& weights) {
 	Positions gradient = Positions::Zero(3, assembly.placeCount());
-	detail::subtractAngleGradients(positions.data(), assembly.trianglePlaces.data(),
-								   assembly.triangleCopies.data(), assembly.triangleCount(), weights.data(),
-								   gradient.data());
+	detail::runWide(detail::AngleGradientKernel{positions.data(), assembly.trianglePlaces.data(),
+												assembly.triangleCopies.data(), assembly.triangleCount(),
+												weights.data(), gradient.data()});
 	return gradient;
 }
 

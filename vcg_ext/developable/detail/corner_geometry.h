@@ -2,7 +2,6 @@
 // corner_geometry.h: the three corner angles of a triangle and how they change when its vertices move.
 #pragma once
 
-#include "../constants.h"
 #include "triangle_kernel.h"
 
 #include <Eigen/Core>
@@ -30,8 +29,8 @@ struct TriangleFrame {
 /// The cotangents of a triangle's three corners.
 inline Eigen::Vector3d cotangents(const TriangleFrame& frame) {
 	const Eigen::Vector3d &u = frame.edge[2], v = -frame.edge[1];
-	const TriangleShape shape = triangleShape({u[0], u[1], u[2]}, {v[0], v[1], v[2]});
-	return {shape.cotangent[0], shape.cotangent[1], shape.cotangent[2]};
+	const Cotangents<double> result(TriangleEdges<double>({u[0], u[1], u[2]}, {v[0], v[1], v[2]}));
+	return {result.corner[0], result.corner[1], result.corner[2]};
 }
 
 /// The vectors r_k = n × e_k / |e_k|², with n the unit normal. A corner's angle θ_i grows by r_j + r_k when
@@ -57,36 +56,6 @@ struct AngleGradients {
 		const int next = (vertex + 1) % 3, last = (vertex + 2) % 3;
 		return (weights[vertex] - weights[next]) * r[last] + (weights[vertex] - weights[last]) * r[next];
 	}
-};
-
-/// Adds up the angles of a fan as the argument of a product of complex numbers, so that one arctangent serves
-/// the whole fan. Each angle lies between 0 and π, so the running sum passes at most one multiple of π at a
-/// time, which shows in the sign of the imaginary part: half turns are counted and nothing is lost beyond 2π.
-class AngleSum {
-public:
-	/// Adds the angle with this cotangent.
-	void add(double cotangent) {
-		const double real = real_ * cotangent - imaginary_;
-		const double imaginary = real_ + imaginary_ * cotangent;
-		halfTurns_ += (imaginary < 0) != (imaginary_ < 0);
-		real_ = real;
-		imaginary_ = imaginary;
-		// Thin triangles have large cotangents; the argument does not care for the modulus.
-		if (std::abs(real) + std::abs(imaginary) > 1e100) {
-			real_ *= 1e-100;
-			imaginary_ *= 1e-100;
-		}
-	}
-
-	/// 2π minus the sum, exact to rounding of the difference itself near 0.
-	double defect() const {
-		const int turns = (halfTurns_ + 1) / 2;
-		return 2 * pi * (1 - turns) - std::atan2(imaginary_, real_);
-	}
-
-private:
-	double real_ = 1, imaginary_ = 0;
-	int halfTurns_ = 0;
 };
 
 } // namespace developable::detail

@@ -135,7 +135,8 @@ private:
 		const double startValue = options_.descent ? objective(place) : 0;
 		bool intersected = false;
 		for (int halving = 0; halving <= mostHalvings; ++halving) {
-			state_.moveTo(place, before + std::ldexp(wanted - before, -halving));
+			// before + (wanted - before) may round to another height than the one wanted.
+			state_.moveTo(place, halving == 0 ? wanted : before + std::ldexp(wanted - before, -halving));
 			const bool descended = !options_.descent || objective(place) < startValue;
 			const bool intersects =
 				descended && options_.avoidSelfIntersections && intersections_.newOnes(place);

@@ -2,152 +2,210 @@
 // triangle_kernel.h: corner angles and their gradients for all triangles, fast.
 #pragma once
 
-#include "../triangle_mesh.h"
+#include "wide.h"
 
-#include <cmath>
-
-// One source, compiled twice: the processor's wider registers are used where it has them. Without fused
-// multiply-add, so that results are the same to the last bit on every machine.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__)
-#define DEVELOPABLE_WIDE __attribute__((target_clones("avx2", "default"), optimize("O3")))
-#else
-#define DEVELOPABLE_WIDE
-#endif
-#define DEVELOPABLE_INLINE inline __attribute__((always_inline))
+#include <cstddef>
+#include <cstring>
 
 namespace developable::detail {
 
-/// Vectors in the form that a compiler turns into wide instructions.
+/// A vector of each of one or several triangles.
+template <class Number>
 struct Vector {
-	double x, y, z;
+	Number x, y, z;
 };
 
-DEVELOPABLE_INLINE double dot(const Vector& a, const Vector& b) {
+template <class Number>
+DEVELOPABLE_INLINE Number dot(const Vector<Number>& a, const Vector<Number>& b) {
 	return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-DEVELOPABLE_INLINE Vector minus(const Vector& a, const Vector& b) {
+template <class Number>
+DEVELOPABLE_INLINE Vector<Number> minus(const Vector<Number>& a, const Vector<Number>& b) {
 	return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-/// s a + t b
-DEVELOPABLE_INLINE Vector combination(double s, const Vector& a, double t, const Vector& b) {
-	return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z};
+template <class Number>
+DEVELOPABLE_INLINE Vector<Number> times(const Number& s, const Vector<Number>& a) {
+	return {s * a.x, s * a.y, s * a.z};
+}
+template <class Number>
+DEVELOPABLE_INLINE Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
+	return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class Number>
+DEVELOPABLE_INLINE Number length(const Vector<Number>& a) {
+	return squareRoot(dot(a, a));
 }
 
-/// The cotangents of a triangle's corners, and the inverse of twice its area.
-struct TriangleShape {
-	double cotangent[3];
-	double inverseDoubleArea;
+/// Triangles by their edges from corner 0 to corner 1, from 0 to 2, and from 1 to 2.
+template <class Number>
+struct TriangleEdges {
+	Vector<Number> u, v, w;
+
+	TriangleEdges() = default;
+	DEVELOPABLE_INLINE TriangleEdges(const Vector<Number>& u_, const Vector<Number>& v_)
+		: u(u_), v(v_), w(minus(v_, u_)) {}
+
+	/// Twice the area long.
+	DEVELOPABLE_INLINE Vector<Number> normal() const { return cross(u, v); }
 };
 
-/// \param u, v  the edges from corner 0 to corners 1 and 2
-DEVELOPABLE_INLINE TriangleShape triangleShape(const Vector& u, const Vector& v) {
-	const Vector w = minus(v, u);
-	const Vector normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-	const double inverse = 1 / std::sqrt(dot(normal, normal));
-	return {{dot(u, v) * inverse, -dot(u, w) * inverse, dot(v, w) * inverse}, inverse};
-}
+template <class Number>
+struct Cotangents {
+	Number corner[3];
 
-/// The gradients of Σ weight_i θ_i with respect to corners 1 and 2; that of corner 0 makes their sum 0. With
-/// r_k as in AngleGradients: r_2 = v/|N| − u cot θ_0 / u², r_1 = u/|N| − v cot θ_0 / v², r_0 = −u/|N| − w cot
-/// θ_1 / w².
+	DEVELOPABLE_INLINE explicit Cotangents(const TriangleEdges<Number>& edges) {
+		const Number inverse = 1 / length(edges.normal());
+		corner[0] = dot(edges.u, edges.v) * inverse;
+		corner[1] = -dot(edges.u, edges.w) * inverse;
+		corner[2] = dot(edges.v, edges.w) * inverse;
+	}
+};
+
+/// The gradients of Σ weight_i θ_i with respect to corners 1 and 2; that of corner 0 makes their sum 0.
+template <class Number>
 struct WeightedGradients {
-	Vector one, two;
+	Vector<Number> one, two;
+
+	WeightedGradients() = default;
+	/// The vectors r_k of AngleGradients are N × u / (|N| u²) for u, −N × v / (|N| v²) and N × w / (|N| w²).
+	/// \param a, b  what weights 1 and 2 have more than weight 0
+	DEVELOPABLE_INLINE WeightedGradients(const TriangleEdges<Number>& edges, const Number& a,
+										 const Number& b) {
+		const Vector<Number>&u = edges.u, &v = edges.v, &w = edges.w, normal = edges.normal();
+		const Number uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), uuvv = uu * vv;
+		const Number inverse = 1 / (length(normal) * (uuvv * ww)); // one division for three
+		const Vector<Number> alongW = times((b - a) * inverse * uuvv, w);
+		one = cross(normal, minus(times(a * inverse * (vv * ww), u), alongW));
+		two = cross(normal, minus(alongW, times(b * inverse * (uu * ww), v)));
+	}
 };
 
-DEVELOPABLE_INLINE WeightedGradients weightedGradients(const Vector& u, const Vector& v,
-													   const TriangleShape& shape, double weight0,
-													   double weight1, double weight2) {
-	const Vector w = minus(v, u);
-	const double inverse = shape.inverseDoubleArea;
-	const double a = weight1 - weight0, b = weight2 - weight0, c = weight2 - weight1;
-	// a r_2, b r_1 and c r_0
-	const Vector r2 = combination(-a * shape.cotangent[0] / dot(u, u), u, a * inverse, v);
-	const Vector r1 = combination(b * inverse, u, -b * shape.cotangent[0] / dot(v, v), v);
-	const Vector r0 = combination(-c * inverse, u, -c * shape.cotangent[1] / dot(w, w), w);
-	return {minus(r2, r0), combination(1, r1, 1, r0)};
+/// Where a place's coordinates begin.
+DEVELOPABLE_INLINE std::ptrdiff_t offset(int place) {
+	return 3 * static_cast<std::ptrdiff_t>(place);
 }
 
-/// Edges of some triangles that follow each other, coordinate by coordinate.
-struct TriangleBlock {
-	static constexpr int size = 32;
-	double u[3][size], v[3][size], cotangent[3][size], inverseDoubleArea[size];
+/// A point as it lies in memory: two coordinates are read and written at once, always the same two, for a
+/// processor waits long for a number that it has just stored as a part of others.
+struct Point {
+	TwoNumbers xy;
+	double z;
 
-	/// \param places  of the first triangle; past the last one its edges are repeated
-	DEVELOPABLE_INLINE void load(const double* positions, const int* places, int count) {
-		for (int i = 0; i < size; ++i) {
-			const int* corner = places + 3 * (i < count ? i : count - 1);
-			const double *p = positions + 3 * corner[0], *q = positions + 3 * corner[1],
-						 *r = positions + 3 * corner[2];
-			for (int axis = 0; axis < 3; ++axis) {
-				u[axis][i] = q[axis] - p[axis];
-				v[axis][i] = r[axis] - p[axis];
-			}
-		}
+	DEVELOPABLE_INLINE static Point read(const double* coordinates) {
+		Point point;
+		std::memcpy(&point.xy, coordinates, sizeof point.xy);
+		point.z = coordinates[2];
+		return point;
 	}
-	/// Fills in the shapes, in a loop of its own: mixed with more the compiler keeps it out of wide
-	/// registers.
-	DEVELOPABLE_INLINE void measure() {
-		for (int i = 0; i < size; ++i) {
-			const TriangleShape shape = triangleShape(edgeU(i), edgeV(i));
-			cotangent[0][i] = shape.cotangent[0];
-			cotangent[1][i] = shape.cotangent[1];
-			cotangent[2][i] = shape.cotangent[2];
-			inverseDoubleArea[i] = shape.inverseDoubleArea;
-		}
+	DEVELOPABLE_INLINE void addTo(double* coordinates) const {
+		const TwoNumbers sum = read(coordinates).xy + xy;
+		std::memcpy(coordinates, &sum, sizeof sum);
+		coordinates[2] += z;
 	}
-
-	DEVELOPABLE_INLINE TriangleShape shape(int i) const {
-		return {{cotangent[0][i], cotangent[1][i], cotangent[2][i]}, inverseDoubleArea[i]};
-	}
-	DEVELOPABLE_INLINE Vector edgeU(int i) const { return {u[0][i], u[1][i], u[2][i]}; }
-	DEVELOPABLE_INLINE Vector edgeV(int i) const { return {v[0][i], v[1][i], v[2][i]}; }
 };
+
+/// A point of each triangle as one vector.
+template <class Number>
+DEVELOPABLE_INLINE Vector<Number> vectorOf(const Point* points) {
+	return {gather<Number>([&](int lane) { return points[lane].xy[0]; }),
+			gather<Number>([&](int lane) { return points[lane].xy[1]; }),
+			gather<Number>([&](int lane) { return points[lane].z; })};
+}
+
+/// The edges of as many triangles that follow each other as a Number holds.
+/// \param places  of the first one's corners
+template <class Number>
+DEVELOPABLE_INLINE TriangleEdges<Number> readEdges(const double* positions, const int* places) {
+	Point u[width<Number>], v[width<Number>];
+	for (int lane = 0; lane < width<Number>; ++lane, places += 3) {
+		const Point start = Point::read(positions + offset(places[0])),
+					end1 = Point::read(positions + offset(places[1])),
+					end2 = Point::read(positions + offset(places[2]));
+		u[lane] = {end1.xy - start.xy, end1.z - start.z};
+		v[lane] = {end2.xy - start.xy, end2.z - start.z};
+	}
+	return {vectorOf<Number>(u), vectorOf<Number>(v)};
+}
 
 /// The cotangents of all corners.
-/// \param cotangents  out, 3 x triangles
-DEVELOPABLE_WIDE inline void allCotangents(const double* positions, const int* places, int triangles,
-										   double* cotangents) {
-	TriangleBlock block;
-	for (int first = 0; first < triangles; first += TriangleBlock::size) {
-		const int count = std::min(TriangleBlock::size, triangles - first);
-		block.load(positions, places + 3 * first, count);
-		block.measure();
-		for (int i = 0; i < count; ++i)
-			for (int corner = 0; corner < 3; ++corner)
-				cotangents[3 * (first + i) + corner] = block.cotangent[corner][i];
+struct CotangentKernel {
+	const double* positions;
+	const int* places; ///< 3 x triangles
+	int triangles;
+	double* cotangents; ///< out, 3 x triangles
+
+	template <class Number>
+	DEVELOPABLE_INLINE void run() const {
+		int t = 0;
+		for (; t + width<Number> <= triangles; t += width<Number>)
+			few<Number>(t);
+		for (; t < triangles; ++t)
+			few<double>(t);
 	}
-}
+
+private:
+	template <class Number>
+	DEVELOPABLE_INLINE void few(int first) const {
+		const Cotangents<Number> result(readEdges<Number>(positions, places + 3 * first));
+		for (int lane = 0; lane < width<Number>; ++lane)
+			for (int corner = 0; corner < 3; ++corner)
+				cotangents[3 * (first + lane) + corner] = at(result.corner[corner], lane);
+	}
+};
 
 /// Subtracts the gradient of Σ weight · θ over all corners from a gradient.
-/// \param weights   per copy
-/// \param gradient  in and out, 3 x places
-DEVELOPABLE_WIDE inline void subtractAngleGradients(const double* positions, const int* places,
-													const int* copies, int triangles, const double* weights,
-													double* gradient) {
-	TriangleBlock block;
-	double weight[3][TriangleBlock::size], one[3][TriangleBlock::size], two[3][TriangleBlock::size];
-	for (int first = 0; first < triangles; first += TriangleBlock::size) {
-		const int count = std::min(TriangleBlock::size, triangles - first);
-		block.load(positions, places + 3 * first, count);
-		block.measure();
-		for (int i = 0; i < TriangleBlock::size; ++i)
-			for (int corner = 0; corner < 3; ++corner)
-				weight[corner][i] = i < count ? weights[copies[3 * (first + i) + corner]] : 0;
-		for (int i = 0; i < TriangleBlock::size; ++i) {
-			const WeightedGradients result = weightedGradients(block.edgeU(i), block.edgeV(i), block.shape(i),
-															   weight[0][i], weight[1][i], weight[2][i]);
-			one[0][i] = result.one.x, one[1][i] = result.one.y, one[2][i] = result.one.z;
-			two[0][i] = result.two.x, two[1][i] = result.two.y, two[2][i] = result.two.z;
+struct AngleGradientKernel {
+	const double* positions;
+	const int *places, *copies; ///< 3 x triangles each
+	int triangles;
+	const double* weights; ///< per copy
+	double* gradient;      ///< in and out, 3 x places
+
+	template <class Number>
+	DEVELOPABLE_INLINE void run() const {
+		constexpr int groups = 32 / width<Number>;
+		int t = 0;
+		for (; t + groups * width<Number> <= triangles; t += groups * width<Number>)
+			some<Number, groups>(t);
+		for (; t < triangles; ++t)
+			some<double, 1>(t);
+	}
+
+private:
+	/// First the gradients of all groups, then their sums: the processor overlaps what does not wait.
+	template <class Number, int groups>
+	DEVELOPABLE_INLINE void some(int first) const {
+		WeightedGradients<Number> gradients[groups];
+		for (int group = 0; group < groups; ++group) {
+			const int corner = 3 * (first + group * width<Number>);
+			const Number weight0 = weight<Number>(copies + corner);
+			gradients[group] = WeightedGradients<Number>(readEdges<Number>(positions, places + corner),
+														 weight<Number>(copies + corner + 1) - weight0,
+														 weight<Number>(copies + corner + 2) - weight0);
 		}
-		for (int i = 0; i < count; ++i) {
-			const int* corner = places + 3 * (first + i);
-			for (int axis = 0; axis < 3; ++axis) {
-				gradient[3 * corner[0] + axis] += one[axis][i] + two[axis][i];
-				gradient[3 * corner[1] + axis] -= one[axis][i];
-				gradient[3 * corner[2] + axis] -= two[axis][i];
-			}
+		for (int group = 0; group < groups; ++group)
+			subtract(gradients[group], places + 3 * (first + group * width<Number>));
+	}
+
+	/// \param copy  of one of the first triangle's corners
+	template <class Number>
+	DEVELOPABLE_INLINE Number weight(const int* copy) const {
+		return gather<Number>([&](int lane) { return weights[copy[3 * lane]]; });
+	}
+
+	template <class Number>
+	DEVELOPABLE_INLINE void subtract(const WeightedGradients<Number>& gradients, const int* corner) const {
+		TwoNumbers ones[width<Number>], twos[width<Number>];
+		pairs(gradients.one.x, gradients.one.y, ones);
+		pairs(gradients.two.x, gradients.two.y, twos);
+		for (int lane = 0; lane < width<Number>; ++lane, corner += 3) {
+			const Point one = {ones[lane], at(gradients.one.z, lane)},
+						two = {twos[lane], at(gradients.two.z, lane)};
+			Point{one.xy + two.xy, one.z + two.z}.addTo(gradient + offset(corner[0]));
+			Point{-one.xy, -one.z}.addTo(gradient + offset(corner[1]));
+			Point{-two.xy, -two.z}.addTo(gradient + offset(corner[2]));
 		}
 	}
-}
+};
 
 } // namespace developable::detail
