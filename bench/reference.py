@@ -33,7 +33,7 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def inner_edges(triangles: np.ndarray) -> np.ndarray:
-    """Per inner edge its two ends and the two corners opposite to it, each row i, j, k, l."""
+    """A row an inner edge: its tail and head, and the corners opposite to it at its left and right."""
     found: dict[tuple[int, int], tuple[int, int, int]] = {}
     rows = []
     for a, b, c in triangles:
@@ -64,14 +64,14 @@ def metric(points: np.ndarray, triangles: np.ndarray, smoothness: float) -> spar
         return float(u @ v / np.linalg.norm(np.cross(u, v)))
 
     rows, columns, values = [], [], []
-    for row, (i, j, k, l) in enumerate(inner_edges(triangles)):  # noqa: E741
-        at_i = cotangent(i, j, k), cotangent(i, j, l)
-        at_j = cotangent(j, i, k), cotangent(j, i, l)
-        both = area_of[frozenset((i, j, k))] + area_of[frozenset((i, j, l))]
-        slope = np.array([sum(at_j), sum(at_i), -at_i[0] - at_j[0], -at_i[1] - at_j[1]])
+    for row, (tail, head, left, right) in enumerate(inner_edges(triangles)):
+        at_tail = cotangent(tail, head, left), cotangent(tail, head, right)
+        at_head = cotangent(head, tail, left), cotangent(head, tail, right)
+        both = area_of[frozenset((tail, head, left))] + area_of[frozenset((tail, head, right))]
+        slope = np.array([sum(at_head), sum(at_tail), -at_tail[0] - at_head[0], -at_tail[1] - at_head[1]])
         values += list(slope * np.sqrt(smoothness * total / both))
         rows += [row] * 4
-        columns += [i, j, k, l]
+        columns += [tail, head, left, right]
     hinges = sparse.csc_matrix((values, (rows, columns)), (max(rows) + 1, len(points)))
     return sparse.csc_matrix(sparse.diags(masses) + hinges.T @ hinges)
 
