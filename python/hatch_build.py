@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Puts the plugin into the wheel, compiled for the pymeshlab that the wheel asks for.
+"""Puts the plugin into the wheel, compiled for the pymeshlab that the wheel asks for, and what it is compiled
+from into the source distribution.
 
 The compiling is scripts/setup.sh's, which also brings compiler, Qt and headers where they are missing. An
 editable install goes without: it uses what set-up has built in the checkout.
@@ -17,34 +18,47 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 HOST = "pymeshlab-2025.7"  # as the dependency in pyproject.toml says
 PLUGIN = "libfilter_developable.so"
 PACKAGE = "meshlab_developable"
+SOURCES = (  # of the plugin, from the root of a clone
+    *("CMakeLists.txt", "CMakePresets.json", "LICENSE", "VERSION"),
+    *("cmake", "filter_developable", "scripts/lib", "scripts/setup.sh", "vcg_ext"),
+)
 
 
 class PluginBuildHook(BuildHookInterface):
-    """Run by hatchling before it makes a wheel."""
+    """Run by hatchling before it makes a wheel or a source distribution."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Compile the plugin and tell hatchling where it belongs."""
+        """Tell hatchling what belongs in it besides the package, and compile the plugin for a wheel."""
         if version == "editable":
             return
-        checkout = Path(self.root).parent
-        if not (checkout / "filter_developable").is_dir():
-            raise RuntimeError("the plugin's sources are not here: run pip in the folder python/ of a clone")
-        plugin = build_plugin(checkout)
+        sources = find_sources(Path(self.root))
+        if self.target_name == "sdist":
+            build_data["force_include"].update({str(sources / name): name for name in SOURCES})
+            return
+        plugin = build_plugin(sources)
         build_data["force_include"][str(plugin)] = f"{PACKAGE}/plugins/{HOST}/{PLUGIN}"
-        build_data["force_include"][str(checkout / "LICENSE")] = f"{PACKAGE}/LICENSE"
+        build_data["force_include"][str(sources / "LICENSE")] = f"{PACKAGE}/LICENSE"
         build_data["pure_python"] = False
         platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
         build_data["tag"] = f"py3-none-{platform}"  # one plugin serves every version of Python
 
 
-def build_plugin(checkout: Path) -> Path:
+def find_sources(root: Path) -> Path:
+    """Where the plugin's sources are: above this folder in a clone, in it in a source distribution."""
+    for folder in (root, root.parent):
+        if all((folder / name).exists() for name in SOURCES):
+            return folder
+    raise RuntimeError("the plugin's sources are not here: run pip in the folder python/ of a clone")
+
+
+def build_plugin(sources: Path) -> Path:
     """Compile what has changed; where the plugin is."""
-    target = HOST if (checkout / "build" / HOST / ".configured").exists() else "wheel"
+    target = HOST if (sources / "build" / HOST / ".configured").exists() else "wheel"
     environment = dict(os.environ)
     if target == "wheel":
         environment["DEVELOPABLE_HOST_LIBRARY"] = str(host_library())
-    subprocess.run(["bash", str(checkout / "scripts" / "setup.sh"), target], env=environment, check=True)
-    return checkout / "build" / target / PLUGIN
+    subprocess.run(["bash", str(sources / "scripts" / "setup.sh"), target], env=environment, check=True)
+    return sources / "build" / target / PLUGIN
 
 
 def host_library() -> Path:

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The wheel has the compiled plugin in it and is all that one needs: it is installed in an environment of its
-own, with a newer Python where the machine has one, and the package's tests run there."""
+own, with a newer Python where the machine has one, and the package's tests run there. The source distribution
+has all that the wheel is made of."""
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
@@ -15,6 +18,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 HOST = "pymeshlab-2025.7"
+PLUGIN = f"meshlab_developable/plugins/{HOST}/libfilter_developable.so"
 
 
 def run(*command: object, **options: object) -> str:
@@ -38,12 +42,25 @@ def newest_python() -> Path:
     return Path(sys.executable)
 
 
-@pytest.fixture(scope="module")
-def wheel(tmp_path_factory) -> Path:
-    folder = tmp_path_factory.mktemp("wheel")
+def made_wheel(source: Path, folder: Path) -> Path:
+    """The wheel of a folder or of a source distribution."""
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check"]
     # What an isolated build would fetch is there already: set-up has pinned it.
-    run(*pip, "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", folder, ROOT / "python")
+    run(*pip, "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", folder, source)
+    (made,) = folder.iterdir()
+    return made
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory) -> Path:
+    return made_wheel(ROOT / "python", tmp_path_factory.mktemp("wheel"))
+
+
+@pytest.fixture(scope="module")
+def sdist(tmp_path_factory) -> Path:
+    """What `python -m build --sdist` makes."""
+    folder = tmp_path_factory.mktemp("sdist")
+    run(sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", folder, cwd=ROOT / "python")
     (made,) = folder.iterdir()
     return made
 
@@ -63,8 +80,7 @@ def test_the_wheel_has_the_plugin_and_serves_every_python(wheel):
     assert not wheel.name.endswith("-any.whl")
     plugin = (ROOT / "build" / HOST / "libfilter_developable.so").read_bytes()
     with zipfile.ZipFile(wheel) as archive:
-        inside = f"meshlab_developable/plugins/{HOST}/libfilter_developable.so"
-        assert archive.read(inside) == plugin
+        assert archive.read(PLUGIN) == plugin
         names = archive.namelist()
         (metadata,) = (name for name in names if name.endswith("METADATA"))
         assert b"Requires-Dist: pymeshlab==2025.7.*" in archive.read(metadata)
@@ -94,3 +110,28 @@ def test_the_packages_own_tests_pass_there(python):
     said = run(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests, cwd=ROOT)
     assert " passed" in said
     assert "failed" not in said
+
+
+def test_the_source_distribution_has_all_that_the_plugin_is_made_of(sdist, tmp_path):
+    with tarfile.open(sdist) as archive:
+        archive.extractall(tmp_path, filter="data")
+    (unpacked,) = tmp_path.iterdir()
+    for folder in ("cmake", "filter_developable", "scripts/lib", "vcg_ext"):
+        for file in filter(Path.is_file, (ROOT / folder).rglob("*")):
+            if file.parent.name != "__pycache__":
+                assert (unpacked / file.relative_to(ROOT)).read_bytes() == file.read_bytes()
+    library = run(sys.executable, "-c", "import pymeshlab; print(pymeshlab.__file__)").strip()
+    library = Path(library).parent / "lib" / "libmeshlab-common.so"
+    run("cmake", "--preset", "wheel", f"-DDEVELOPABLE_HOST_LIBRARY={library}", cwd=unpacked)
+    commands = json.loads((unpacked / "build" / "wheel" / "compile_commands.json").read_text())
+    compiled = [Path(command["file"]) for command in commands]
+    assert unpacked / "filter_developable" / "filters" / "flatten_patches.cpp" in compiled
+    assert all(file.is_relative_to(unpacked) for file in compiled)
+
+
+@pytest.mark.slow
+def test_a_wheel_can_be_made_of_the_source_distribution(sdist, tmp_path):
+    with zipfile.ZipFile(made_wheel(sdist, tmp_path / "wheel")) as archive:
+        plugin = archive.extract(PLUGIN, tmp_path)
+    script = f"import pymeshlab as p; p.load_plugin({plugin!r}); print(*p.filter_list())"
+    assert "generate_flat_patches" in run(sys.executable, "-c", script)
