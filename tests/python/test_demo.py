@@ -88,6 +88,40 @@ def test_a_developable_result_is_laid_flat_without_strain(study):
     assert newton.pattern.report.max_edge_strain < 1e-4 < study.pattern.report.max_edge_strain
 
 
+def energies_of_laying_flat(vertices, faces, pattern):
+    """Σ (flattened length − length)² over the edges at a vertex, half of each; the largest of a place."""
+    sides = [[0, 1], [1, 2], [2, 0]]
+    flat_edges, first = np.unique(
+        np.sort(pattern.faces[:, sides].reshape(-1, 2), axis=1), axis=0, return_index=True
+    )
+    ends = vertices[faces[:, sides].reshape(-1, 2)[first]]
+    flat_ends = pattern.vertices[flat_edges]
+    changes = np.linalg.norm(np.diff(flat_ends, axis=1), axis=2) - np.linalg.norm(
+        np.diff(ends, axis=1), axis=2
+    )
+    energies = np.bincount(flat_edges.ravel(), np.repeat(changes**2 / 2, 2))
+    places = np.unique(vertices, axis=0, return_inverse=True)[1].ravel()
+    largest = np.zeros(places.max() + 1)
+    np.maximum.at(largest, places[faces.ravel()], energies[pattern.faces.ravel()])
+    return largest[places]
+
+
+def test_the_map_of_elastic_energy_is_of_laying_flat_where_there_is_a_pattern(study):
+    newton, *others = study.outcomes
+    for shape in (study, newton):
+        energies = energies_of_laying_flat(shape.vertices, study.faces, shape.pattern)
+        assert shape.maps["Elastic energy"] == pytest.approx(energies, rel=1e-6, abs=1e-14)
+    assert newton.maps["Elastic energy"].max() < 1e-6 * study.maps["Elastic energy"].max()
+    assert not any("Elastic energy" in outcome.maps for outcome in others)
+
+
+def test_without_a_flat_pattern_there_is_no_map_of_elastic_energy(tmp_path):
+    [local] = [method for method in METHODS if not method.flatten][1:]
+    [result] = run([Input(PANTS, "Short pants.", "cm")], [local], tmp_path)
+    assert result.pattern is None
+    assert [figure.title for figure in result.figures] == [kind.title for kind in MAPS if not kind.of_pattern]
+
+
 def test_the_flat_result_is_there_to_print_and_cut(study, folder):
     files = study.outcomes[0].pattern.to_cut
     assert {file.suffix for file in files} == {".svg", ".pdf", ".dxf", ".json"}
@@ -150,7 +184,7 @@ def test_page_has_the_numbers_and_needs_nothing_else(study, page):
 def test_every_figure_is_a_picture(study):
     titles = [figure.title for figure in study.figures]
     assert titles == [*(kind.title for kind in MAPS), "Flat pattern"]
-    assert len(titles) == 8
+    assert len(titles) == 9
     for figure in study.figures:
         assert figure.file.read_bytes().startswith(b"\x89PNG")
 

@@ -53,6 +53,25 @@ def test_the_page_renders_without_an_error(page, canvas):
     assert page.execute_script(wide)
 
 
+def test_each_map_is_shown_with_its_name_and_the_one_of_laying_flat_too(page, canvas):
+    names = [name.text for name in page.find_elements(By.CSS_SELECTOR, "figure img + figcaption strong")]
+    assert names[: len(MAPS)] == [f"{kind.title}." for kind in MAPS]
+    [shown] = page.find_elements(By.CSS_SELECTOR, "img[alt='Elastic energy of dented_shell']")
+    image = picture(shown)
+    height, width = image.shape[:2]
+    violet = (image[..., 2] > image[..., 1] + 60) & (image[..., 0] < 150)  # what has much of it
+    shapes = violet[: int(0.8 * height)]
+    assert shapes[:, : width // 2].mean() > 0.005
+    assert not shapes[:, width // 2 :].any()
+
+
+def test_no_table_of_a_method_reaches_into_the_next(page, canvas):
+    beyond = """return [...document.querySelectorAll("article table")].filter(table =>
+        table.getBoundingClientRect().right > table.parentElement.getBoundingClientRect().right + 1).length"""
+    assert len(page.find_elements(By.CSS_SELECTOR, "article table")) == 4
+    assert page.execute_script(beyond) == 0
+
+
 def test_the_page_asks_for_nothing(page, canvas):
     requests = "return performance.getEntriesByType('resource').map(entry => entry.name)"
     assert [name for name in page.execute_script(requests) if not name.startswith("data:")] == []

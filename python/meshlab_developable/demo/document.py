@@ -64,7 +64,7 @@ def cost(study: Study, outcome: Outcome) -> list[tuple[str, str]]:
     return [
         ("largest displacement", length(report.max_displacement)),
         ("mean displacement", length(report.mean_displacement)),
-        ("deformation energy E", f"{report.deformation_energy:.4g} {f'({unit})' if ' ' in unit else unit}²"),
+        ("deformation energy E", f"{report.deformation_energy:.4g} {study.source.square_unit}"),
         ("iterations", f"{report.iterations}"),
         ("time", f"{report.seconds:.2g} s"),
     ]

@@ -33,6 +33,11 @@ class Input:
         """What files and headings call it."""
         return self.path.stem
 
+    @property
+    def square_unit(self) -> str:
+        """The unit of areas and energies."""
+        return f"({self.unit})²" if " " in self.unit else f"{self.unit}²"
+
 
 @dataclasses.dataclass(frozen=True)
 class Method:
@@ -55,6 +60,7 @@ class MapKind:
     signed: bool
     caption: str
     before_too: bool = True  # False for maps that are 0 before
+    of_pattern: bool = False  # comes with a flat pattern, and is shown where there is one
 
 
 @dataclasses.dataclass(frozen=True)
@@ -65,6 +71,7 @@ class Pattern:
     vertices: Array  # in the plane z = 0
     faces: IndexArray
     edge_strain: Array  # the largest at each vertex
+    maps: Mapping[str, Array]  # of the surface that was laid flat, by the map's title
     file: Path
     to_cut: Sequence[Path] = ()  # the same as SVG, PDF and DXF
 
@@ -76,7 +83,7 @@ class Outcome:
     method: Method
     report: OptimizationReport
     vertices: Array  # n x 3
-    maps: Mapping[str, Array]  # n values by the map's title
+    maps: Mapping[str, Array]  # n values by the map's title; those of a pattern where there is one
     file: Path
     pattern: Pattern | None = None
 
@@ -135,7 +142,7 @@ MAPS = (
     ),
     MapKind(
         "Gaussian curvature",
-        "Gaussian curvature κ, 1/({unit})²",
+        "Gaussian curvature κ, 1/{square_unit}",
         True,
         "The angle defect for each unit of area (Eq. 1), which does not depend on how fine the mesh is.",
     ),
@@ -158,6 +165,14 @@ MAPS = (
         False,
         "How far each vertex is from the nearest point of the surface before (Fig. 8).",
         before_too=False,
+    ),
+    MapKind(
+        "Elastic energy",
+        "elastic energy of laying it flat, {square_unit}",
+        False,
+        "Where the surface must stretch or shrink to lie flat (Fig. 1): the squared changes of length of the "
+        "edges at each vertex, half of each edge to each of its ends.",
+        of_pattern=True,
     ),
 )
 EYE_ABOVE = View((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
@@ -182,15 +197,19 @@ def study(
     maps = _maps(meshes, [kind for kind in kinds if kind.before_too], angle_tolerance)
     _save(meshes, folder / f"{source.name}_before.ply")
     outcomes = [_try(meshes, source, method, angle_tolerance, folder, kinds) for method in methods]
-    figures = [
-        _figure(kind, source, vertices, faces, maps, outcomes, folder)
-        for kind in kinds
-        if kind.before_too or outcomes
-    ]
     pattern = None
     if any(outcome.pattern for outcome in outcomes):
         meshes.set_current_mesh(0)
         pattern, _ = _flatten(meshes, folder / f"{source.name}_before_pattern.ply")
+        maps |= pattern.maps
+    shapes: list[tuple[str, Array, Mapping[str, Array]]] = [("before", vertices, maps)]
+    shapes += [(f"after: {o.method.title}", o.vertices, o.maps) for o in outcomes]
+    figures = []
+    for kind in kinds:
+        pictures = [Picture(title, v, faces, m[kind.title]) for title, v, m in shapes if kind.title in m]
+        if pictures:
+            figures.append(_figure(kind, source, pictures, folder))
+    if pattern:
         figures.append(_pattern_figure(source, pattern, outcomes, folder))
     measures = Measures.from_values(values)
     return Study(source, angle_tolerance, vertices, faces, measures, maps, outcomes, figures, pattern)
@@ -217,15 +236,19 @@ def _try(
     if method.flatten and report.converged:
         pattern, flat = _flatten(meshes, folder / f"{source.name}_{method.name}_pattern.ply")
         pattern = dataclasses.replace(pattern, to_cut=_write_to_cut(flat, source, pattern.file))
+        maps |= pattern.maps
     return Outcome(method, report, vertices, maps, file, pattern)
 
 
 def _flatten(meshes: Any, file: Path) -> tuple[Pattern, FlatteningResult]:
     """Lay the current mesh flat; the pattern is the current layer afterwards."""
+    surface = meshes.current_mesh()
     flat = flattened_layer(meshes, {"map": "Edge strain"})
     vertices = meshes.current_mesh().vertex_matrix()
+    energy = np.array(surface.vertex_custom_scalar_attribute_array("elastic_energy"))
     _save(meshes, file)
-    return Pattern(flat.report, vertices, flat.faces, flat.quality, file), flat
+    maps = {"Elastic energy": energy}
+    return Pattern(flat.report, vertices, flat.faces, flat.quality, maps, file), flat
 
 
 def _write_to_cut(flat: FlatteningResult, source: Input, file: Path) -> Sequence[Path]:
@@ -240,6 +263,8 @@ def _write_to_cut(flat: FlatteningResult, source: Input, file: Path) -> Sequence
 def _maps(meshes: Any, kinds: Sequence[MapKind], angle_tolerance: float) -> dict[str, Array]:
     maps = {}
     for kind in kinds:
+        if kind.of_pattern:
+            continue
         _apply_maps_filter(meshes, kind.title, angle_tolerance)
         maps[kind.title] = vertex_quality(meshes.current_mesh())
     return maps
@@ -259,26 +284,11 @@ def _save(meshes: Any, file: Path) -> None:
     meshes.save_current_mesh(str(file))
 
 
-def _figure(
-    kind: MapKind,
-    source: Input,
-    vertices: Array,
-    faces: IndexArray,
-    maps: Mapping[str, Array],
-    outcomes: Sequence[Outcome],
-    folder: Path,
-) -> Figure:
-    pictures = [
-        Picture(f"after: {outcome.method.title}", outcome.vertices, faces, outcome.maps[kind.title])
-        for outcome in outcomes
-    ]
-    if kind.before_too:
-        before = Picture("before", vertices, faces, maps[kind.title])
-        pictures.insert(0, before)
-        compared = [before.values]
-    else:
-        compared = [picture.values for picture in pictures]
-    scale = robust_scale(kind.label.format(unit=source.unit), compared, kind.signed)
+def _figure(kind: MapKind, source: Input, pictures: Sequence[Picture], folder: Path) -> Figure:
+    """Of one map; where the first picture is of the mesh before, its values say the scale."""
+    compared = pictures[:1] if kind.before_too else pictures
+    label = kind.label.format(unit=source.unit, square_unit=source.square_unit)
+    scale = robust_scale(label, [picture.values for picture in compared], kind.signed)
     file = folder / f"{source.name}_{kind.title.lower().replace(' ', '_')}.png"
     render(file, pictures, scale, source.view)
     return Figure(file, kind.title, kind.caption)
