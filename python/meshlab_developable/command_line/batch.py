@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from meshlab_developable.command_line.shared import Exit, errors_in_words, json_option, print_json
+from meshlab_developable.command_line import shared
 
 STATES = ["not_converged", "bad_input", "crashed", "timed_out"]
 
@@ -34,8 +34,8 @@ STATES = ["not_converged", "bad_input", "crashed", "timed_out"]
 @click.option(
     "--again", multiple=True, type=click.Choice(STATES), help="Work again on meshes that ended so before."
 )
-@json_option
-@click.option("-q", "--quiet", is_flag=True, help="No progress bar.")
+@shared.json_option
+@shared.quiet_option
 def command(
     source: Path,
     out: Path,
@@ -73,7 +73,7 @@ def command(
     from meshlab_developable.batch.run import run
     from meshlab_developable.batch.settings import Settings, read_settings
 
-    with errors_in_words(as_json):
+    with shared.errors_in_words(as_json):
         settings = read_settings(parameters) if parameters else Settings()
         settings = dataclasses.replace(settings, **{k: v for k, v in changes.items() if v is not None})
         inputs = find_inputs(source, out)
@@ -98,8 +98,8 @@ def command(
             )
     states = {str(state): counts[state] for state in reversed(State)}
     if as_json:
-        print_json({"out": str(out), "meshes": len(inputs), **states})
+        shared.print_json({"out": str(out), "meshes": len(inputs), **states})
     else:
         said = ", ".join(f"{count} {state}" for state, count in states.items() if count)
         click.echo(f"{len(inputs)} meshes: {said}. See {out / 'overview.html'} and {out / 'results.csv'}")
-    sys.exit(Exit.DONE if counts[State.DONE] == len(inputs) else Exit.SOME_NOT_DONE)
+    sys.exit(shared.Exit.DONE if counts[State.DONE] == len(inputs) else shared.Exit.SOME_NOT_DONE)

@@ -10,33 +10,22 @@ from typing import Any
 
 import click
 
+from meshlab_developable.command_line import shared
 from meshlab_developable.command_line.progress import progress_shown
-from meshlab_developable.command_line.shared import (
-    MESH,
-    Exit,
-    errors_in_words,
-    filter_options,
-    given,
-    json_option,
-    print_json,
-    print_table,
-)
 from meshlab_developable.filters import FLATTEN
 
 
 @click.command(name="flatten")
-@click.argument("mesh", type=MESH)
-@click.option(
-    "-o", "--output", required=True, type=click.Path(path_type=Path), help="The file for the flat pieces."
-)
+@click.argument("mesh", type=shared.MESH)
+@shared.output_option("The file for the flat pieces.")
 @click.option(
     "--textured",
     type=click.Path(path_type=Path),
     help="Also write the mesh, with the flat pieces as its texture coordinates.",
 )
-@filter_options(FLATTEN, without=["write_texture_coordinates"])
-@json_option
-@click.option("-q", "--quiet", is_flag=True, help="No progress bar.")
+@shared.filter_options(FLATTEN, without=["write_texture_coordinates"])
+@shared.json_option
+@shared.quiet_option
 def command(
     mesh: Path, output: Path, textured: Path | None, as_json: bool, quiet: bool, **options: Any
 ) -> None:
@@ -54,12 +43,9 @@ def command(
     """
     from meshlab_developable.file_methods import flatten_file
 
-    with errors_in_words(as_json), progress_shown(FLATTEN.title, quiet or as_json) as shown:
-        flat = flatten_file(mesh, output, textured, verbose=shown, **given(options))
+    with shared.errors_in_words(as_json), progress_shown(FLATTEN.title, quiet or as_json) as shown:
+        flat = flatten_file(mesh, output, textured, verbose=shown, **shared.given(options))
     values = dataclasses.asdict(flat.report) | {"seams": len(flat.seams)}
-    if as_json:
-        print_json({"input": str(mesh), "output": str(output)} | values)
-    else:
-        print_table(str(output), values)
+    shared.print_result(as_json, str(output), values, input=mesh, output=output)
     sound = flat.report.overlapping_pieces == flat.report.flipped_faces == 0
-    sys.exit(Exit.DONE if sound else Exit.NOT_CONVERGED)
+    sys.exit(shared.Exit.DONE if sound else shared.Exit.NOT_CONVERGED)

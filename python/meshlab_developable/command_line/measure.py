@@ -9,25 +9,19 @@ from typing import Any
 
 import click
 
-from meshlab_developable.command_line.shared import (
-    MESH,
-    errors_in_words,
-    filter_options,
-    given,
-    json_option,
-    print_json,
-    print_table,
-)
+from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import MEASURE
 
 
 @click.command(name="measure")
-@click.argument("meshes", nargs=-1, required=True, type=MESH)
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the mesh with the map in it.")
-@filter_options(MEASURE, without=["reference"])
-@click.option("--reference", type=MESH, help="The mesh that Distance and Displacement are measured to.")
-@json_option
+@click.argument("meshes", nargs=-1, required=True, type=shared.MESH)
+@shared.output_option("Write the mesh with the map in it.", required=False)
+@shared.filter_options(MEASURE, without=["reference"])
+@click.option(
+    "--reference", type=shared.MESH, help="The mesh that Distance and Displacement are measured to."
+)
+@shared.json_option
 def command(
     meshes: tuple[Path, ...], output: Path | None, reference: Path | None, as_json: bool, **options: Any
 ) -> None:
@@ -44,14 +38,14 @@ def command(
     """
     from meshlab_developable.file_methods import measure_file
 
-    with errors_in_words(as_json):
+    with shared.errors_in_words(as_json):
         if output and len(meshes) > 1:
             raise InvalidParameterError("--output takes one mesh at a time")
         results = []
         for path in meshes:
-            measures = measure_file(path, output, reference, **given(options))
+            measures = measure_file(path, output, reference, **shared.given(options))
             results.append({"input": str(path), **dataclasses.asdict(measures)})
             if not as_json:
-                print_table(str(path), dataclasses.asdict(measures))
+                shared.print_table(str(path), dataclasses.asdict(measures))
     if as_json:
-        print_json(results[0] if len(results) == 1 else results)
+        shared.print_json(results[0] if len(results) == 1 else results)

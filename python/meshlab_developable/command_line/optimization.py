@@ -11,17 +11,8 @@ from typing import Any
 
 import click
 
+from meshlab_developable.command_line import shared
 from meshlab_developable.command_line.progress import progress_shown
-from meshlab_developable.command_line.shared import (
-    MESH,
-    Exit,
-    errors_in_words,
-    filter_options,
-    given,
-    json_option,
-    print_json,
-    print_table,
-)
 from meshlab_developable.filters import Filter
 
 
@@ -31,26 +22,21 @@ def optimization_command(applied: Filter, explanation: str) -> click.Command:
     def run(mesh: Path, output: Path, as_json: bool, quiet: bool, **options: Any) -> None:
         from meshlab_developable.file_methods import develop_file
 
-        with errors_in_words(as_json), progress_shown(applied.title, quiet or as_json) as shown:
-            report = develop_file(mesh, output, applied.name, verbose=shown, **given(options))
+        with shared.errors_in_words(as_json), progress_shown(applied.title, quiet or as_json) as shown:
+            report = develop_file(mesh, output, applied.name, verbose=shown, **shared.given(options))
         values = dataclasses.asdict(report) | {"status": report.status.name.lower()}
-        if as_json:
-            words = {"input": str(mesh), "output": str(output), "message": report.status.text}
-            print_json(words | values)
-        else:
-            print_table(f"{output}: {report.status.text}", values)
-        sys.exit(Exit.DONE if report.developable else Exit.NOT_CONVERGED)
+        said = report.status.text
+        shared.print_result(as_json, f"{output}: {said}", values, input=mesh, output=output, message=said)
+        sys.exit(shared.Exit.DONE if report.developable else shared.Exit.NOT_CONVERGED)
 
     run.__doc__ = explanation
     decorators: list[Callable[[Any], Any]] = [
         click.command(name=applied.name),
-        click.argument("mesh", type=MESH),
-        click.option(
-            "-o", "--output", required=True, type=click.Path(path_type=Path), help="The file to write."
-        ),
-        filter_options(applied),
-        json_option,
-        click.option("-q", "--quiet", is_flag=True, help="No progress bar."),
+        click.argument("mesh", type=shared.MESH),
+        shared.output_option("The file to write."),
+        shared.filter_options(applied),
+        shared.json_option,
+        shared.quiet_option,
     ]
     command: Any = run
     for decorate in reversed(decorators):

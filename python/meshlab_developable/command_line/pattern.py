@@ -8,15 +8,7 @@ from typing import Any
 
 import click
 
-from meshlab_developable.command_line.shared import (
-    MESH,
-    errors_in_words,
-    filter_options,
-    given,
-    json_option,
-    print_json,
-    print_table,
-)
+from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import FLATTEN
 from meshlab_developable.patterns.options import FORMATS, PAPERS, TURNS, UNITS, Size
@@ -61,14 +53,8 @@ def _grain(
 
 
 @click.command(name="pattern")
-@click.argument("mesh", type=MESH)
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    type=click.Path(path_type=Path, file_okay=False),
-    help="The folder for the files.",
-)
+@click.argument("mesh", type=shared.MESH)
+@shared.output_option("The folder for the files.", folder=True)
 @click.option("--name", help="What the files are called.  [default: as the mesh's file]")
 @click.option(
     "--unit",
@@ -106,8 +92,8 @@ def _grain(
 @click.option(
     "--piece-name", "piece_names", multiple=True, help="Of the pieces in their order; repeat for each."
 )
-@filter_options(FLATTEN, without=["gap", "map", "write_texture_coordinates", "colorize"])
-@json_option
+@shared.filter_options(FLATTEN, without=["gap", "map", "write_texture_coordinates", "colorize"])
+@shared.json_option
 def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options: Any) -> None:
     """Write panels, laid flat at true size, as patterns to print, cut and sew.
 
@@ -124,8 +110,8 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
     """
     from meshlab_developable.patterns import make_patterns
 
-    with errors_in_words(as_json):
-        parameters = {key: value for key, value in given(options).items() if value != ()}
+    with shared.errors_in_words(as_json):
+        parameters = {key: value for key, value in shared.given(options).items() if value != ()}
         if parameters.get("page") == "none":
             parameters["page"] = None
         if not output.parent.exists():
@@ -142,10 +128,7 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
         "max_edge_strain": made.flattening.report.max_edge_strain,
         "mean_edge_strain": made.flattening.report.mean_edge_strain,
     }
-    if as_json:
-        files = [str(file) for file in made.files]
-        print_json({"input": str(mesh), "files": files, "notes": list(made.notes)} | values)
-        return
-    print_table(str(output), values)
-    for line in (*map(str, made.files), *made.notes):
-        click.echo(f"  {line}")
+    shared.print_result(as_json, str(output), values, input=mesh, files=made.files, notes=made.notes)
+    if not as_json:
+        for line in (*map(str, made.files), *made.notes):
+            click.echo(f"  {line}")

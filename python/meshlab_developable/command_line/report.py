@@ -8,12 +8,12 @@ from pathlib import Path
 
 import click
 
-from meshlab_developable.command_line.shared import MESH, errors_in_words
+from meshlab_developable.command_line import shared
 from meshlab_developable.errors import DevelopableError
 
 
 @click.command(name="report")
-@click.argument("meshes", nargs=-1, required=True, type=MESH)
+@click.argument("meshes", nargs=-1, required=True, type=shared.MESH)
 @click.option(
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
@@ -32,7 +32,7 @@ def command(meshes: tuple[Path, ...], out: Path, unit: str) -> None:
       developable report panel.ply
       developable report front.obj back.obj --out out/report --unit cm
     """
-    with errors_in_words():
+    with shared.errors_in_words():
         for name in ("matplotlib", "pyvista"):
             if importlib.util.find_spec(name) is None:
                 raise DevelopableError(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from meshlab_developable.command_line.shared import assignments, errors_in_words
+from meshlab_developable.command_line import shared
 from meshlab_developable.filters import FILTERS, find_filter
 
 NAMES = [known.name for known in FILTERS]
@@ -30,7 +30,7 @@ def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: s
 @click.command(name="script")
 @click.argument("filter_name", metavar="FILTER", shell_complete=complete_filter)
 @click.argument("values", metavar="[NAME=VALUE]...", nargs=-1, shell_complete=complete_parameter)
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="The file to write, not the terminal.")
+@shared.output_option("The file to write, not the terminal.", required=False)
 def command(filter_name: str, values: tuple[str, ...], output: Path | None) -> None:
     """Write a MeshLab script (.mlx) that applies FILTER: global, local, maps, flatten or triangulate.
 
@@ -46,9 +46,9 @@ def command(filter_name: str, values: tuple[str, ...], output: Path | None) -> N
     from meshlab_developable.file_methods import written_whole
     from meshlab_developable.scripts import script_text
 
-    with errors_in_words():
+    with shared.errors_in_words():
         applied = find_filter(filter_name)
-        text = script_text(applied, applied.parsed(assignments(values)))
+        text = script_text(applied, applied.parsed(shared.assignments(values)))
         if output is None:
             click.echo(text, nl=False)
             return

@@ -30,6 +30,15 @@ class Exit(enum.IntEnum):
 
 MESH = click.Path(exists=True, dir_okay=False, path_type=Path)
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
+quiet_option = click.option("-q", "--quiet", is_flag=True, help="No progress bar.")
+
+
+def output_option(
+    text: str, required: bool = True, folder: bool = False
+) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """A decorator that gives a command the option of where to write."""
+    path = click.Path(file_okay=not folder, path_type=Path)
+    return click.option("-o", "--output", required=required, type=path, help=text)
 
 
 class Value(click.ParamType[Any]):
@@ -95,6 +104,14 @@ def errors_in_words(as_json: bool = False) -> Iterator[None]:
 def print_json(content: Any) -> None:
     """The content on standard output."""
     click.echo(json.dumps(content, indent=2, ensure_ascii=False, default=str))
+
+
+def print_result(as_json: bool, heading: str, values: Mapping[str, Any], **words: Any) -> None:
+    """Values with their names: as a table below the heading, or in JSON behind other words."""
+    if as_json:
+        print_json(words | dict(values))
+    else:
+        print_table(heading, values)
 
 
 def print_table(heading: str, rows: Mapping[str, Any]) -> None:
