@@ -38,12 +38,12 @@ class ColourScale:
 
 @dataclasses.dataclass(frozen=True)
 class Picture:
-    """A triangle mesh with a value a vertex, and a title."""
+    """A triangle mesh with a value a vertex, or with faces in colours of their own, and a title."""
 
     title: str
     vertices: Array  # n x 3
     faces: IndexArray  # m x 3
-    values: Array  # n
+    values: Array  # n; or m x 3, the colours (sRGB, 0 to 1)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,40 +64,50 @@ def robust_scale(label: str, values: Iterable[Array], signed: bool) -> ColourSca
     return ColourScale(label, -high if signed else 0.0, high, signed)
 
 
-def render(path: Path, pictures: Sequence[Picture], scale: ColourScale, view: View | None = None) -> None:
-    """Write the pictures side by side, all with the same eye and the same scale, to a PNG."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-    from matplotlib.figure import Figure
-    from matplotlib.ticker import MaxNLocator
+def render(
+    path: Path, pictures: Sequence[Picture], scale: ColourScale | None, view: View | None = None
+) -> None:
+    """Write the pictures side by side, all with the same eye and the same scale, to a PNG.
 
-    colours = colour_map(scale.signed)
-    images = [_draw(picture, pictures, scale, colours, view or View()) for picture in pictures]
+    Without a scale there is none below; then all faces have colours of their own.
+    """
+    from matplotlib.figure import Figure
+
+    images = [_draw(picture, pictures, scale, view or View()) for picture in pictures]
     width, height = PICTURE_SIZE
-    total, dots = height + HEADING + FOOTING, 100
+    footing = FOOTING if scale else 0
+    total, dots = height + HEADING + footing, 100
     figure = Figure(figsize=(width * len(pictures) / dots, total / dots), dpi=dots)
     axes = figure.subplots(1, len(pictures), squeeze=False)[0]
-    figure.subplots_adjust(left=0, right=1, bottom=FOOTING / total, top=1 - HEADING / total, wspace=0)
+    figure.subplots_adjust(left=0, right=1, bottom=footing / total, top=1 - HEADING / total, wspace=0)
     for axis, picture, image in zip(axes, pictures, images, strict=True):
         axis.imshow(image)
         axis.set_axis_off()
         axis.set_title(picture.title, fontsize=18)
-    bar = figure.add_axes((0.25, 66 / total, 0.5, 22 / total))
+    if scale:
+        _add_scale(figure, scale, figure.add_axes((0.25, 66 / total, 0.5, 22 / total)), len(pictures))
+    figure.savefig(path)
+
+
+def _add_scale(figure: Any, scale: ColourScale, bar: Any, pictures: int) -> None:
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.ticker import MaxNLocator
+
     colour_bar = figure.colorbar(
-        ScalarMappable(Normalize(scale.low, scale.high), colours),
+        ScalarMappable(Normalize(scale.low, scale.high), colour_map(scale.signed)),
         cax=bar,
         orientation="horizontal",
         extend="both" if scale.signed else "max",
-        ticks=MaxNLocator(5 if len(pictures) > 1 else 3),
+        ticks=MaxNLocator(5 if pictures > 1 else 3),
         format="%.3g",
     )
     colour_bar.set_label(scale.label, fontsize=16)
     bar.tick_params(labelsize=15)
-    figure.savefig(path)
 
 
 def _draw(
-    picture: Picture, together: Sequence[Picture], scale: ColourScale, colours: Any, view: View
+    picture: Picture, together: Sequence[Picture], scale: ColourScale | None, view: View
 ) -> npt.NDArray[np.uint8]:
     """One shape without text, framed so that all the pictures' shapes would fit."""
     if sys.platform == "linux" and not os.environ.get("DISPLAY"):
@@ -105,20 +115,24 @@ def _draw(
     import pyvista
 
     surface = pyvista.PolyData.from_regular_faces(picture.vertices, picture.faces)
-    surface.point_data["values"] = picture.values
+    if scale:
+        surface.point_data["values"] = picture.values
+        look = {"cmap": colour_map(scale.signed), "clim": (scale.low, scale.high)}
+    else:
+        surface.cell_data["values"] = picture.values
+        look = {"rgb": True}
     plotter = pyvista.Plotter(off_screen=True, window_size=PICTURE_SIZE)
     plotter.set_background("white")
     plotter.enable_anti_aliasing("ssaa")
     plotter.add_mesh(
         surface,
         scalars="values",
-        cmap=colours,
-        clim=(scale.low, scale.high),
         show_scalar_bar=False,
         smooth_shading=True,
         split_sharp_edges=True,
         ambient=0.3,
         diffuse=0.75,
+        **look,
     )
     borders = surface.extract_feature_edges(
         boundary_edges=True, feature_edges=False, manifold_edges=False, non_manifold_edges=False

@@ -4,15 +4,7 @@
 import numpy as np
 import pytest
 from mesh_sets import LOCAL, mesh_set, optimized, positions_of
-from shapes import bump, grid, two_bumps
-
-
-def crumpled_above_flat():
-    """A crumpled sheet just above a flat one, in one mesh."""
-    random = np.random.default_rng(5)
-    crumpled, upper = grid(13, 13, lambda u, v: (u, v, 0.005 + 0.05 * random.random(np.shape(u))))
-    flat, lower = grid(12, 12, lambda u, v: (u, v, 0 * u))
-    return np.vstack([crumpled, flat]), np.vstack([upper, lower + len(crumpled)])
+from shapes import bump, crumpled_above_flat, two_bumps
 
 
 def self_intersecting_faces(meshes) -> int:

@@ -80,6 +80,18 @@ def test_view_changes_the_picture(tmp_path, shell):
     assert np.abs(above - side).mean() > 0.02
 
 
+def test_faces_may_have_colours_of_their_own_and_then_there_is_no_scale(tmp_path, shell):
+    left = shell.vertices[shell.faces].mean(axis=1)[:, 0] < np.median(shell.vertices[:, 0])
+    painted = with_values(shell, np.where(left[:, None], (0.8, 0.1, 0.1), (0.1, 0.1, 0.8)))
+    image = rendered(tmp_path, [painted], None, View((0, 0, 1), (0, 1, 0)))
+    width, height = PICTURE_SIZE
+    assert image.shape == (HEADING + height, width, 3)
+    red, _, blue = np.moveaxis(shape_part(image, 0), 2, 0)
+    reds, blues = (np.nonzero((more - less) > 0.3)[1] for more, less in ((red, blue), (blue, red)))
+    assert min(reds.size, blues.size) > 0.1 * width * height
+    assert np.quantile(reds, 0.99) < np.quantile(blues, 0.01) + 0.05 * width
+
+
 def test_range_ignores_a_few_outliers_and_is_centred_on_zero_when_signed():
     values = np.concatenate([np.linspace(-1, 1, 1001), [1e6]])
     scale = robust_scale("x", [values], signed=True)

@@ -41,6 +41,14 @@ def two_bumps(gap: float = 0.0) -> Mesh:
     return np.vstack([positions, beside]), np.vstack([triangles, triangles[:, ::-1] + len(positions)])
 
 
+def crumpled_above_flat() -> Mesh:
+    """A crumpled sheet just above a flat one, in one mesh."""
+    random = np.random.default_rng(5)
+    crumpled, upper = grid(13, 13, lambda u, v: (u, v, 0.005 + 0.05 * random.random(np.shape(u))))
+    flat, lower = grid(12, 12, lambda u, v: (u, v, 0 * u))
+    return np.vstack([crumpled, flat]), np.vstack([upper, lower + len(crumpled)])
+
+
 def octahedron() -> Mesh:
     """A closed surface."""
     positions = np.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)], dtype=float)
