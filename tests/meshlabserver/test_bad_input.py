@@ -15,9 +15,7 @@ BOTH = pytest.mark.parametrize("name", [GLOBAL, LOCAL])
 
 def refusal(tmp_path, mesh, *filters):
     """The last line of the log of a run that was refused: the server goes on with "Problem with filter"."""
-    source = server.save_mesh(tmp_path / "in.ply", *mesh)
-    script = mlx_scripts.write_script(tmp_path / "run.mlx", *filters)
-    run = server.run(script, source, tmp_path / "out.ply")
+    run = server.run_filters(tmp_path, mesh, *filters)
     assert run.exit_code == 255, run.printed
     assert not (tmp_path / "out.ply").exists()
     log, _, _ = run.printed.partition("Problem with filter")
@@ -40,15 +38,8 @@ def test_no_faces(name, tmp_path):
 
 @ALL
 def test_a_coordinate_that_is_no_number(name, tmp_path):
-    # The server drops such vertices when it loads them, so one is made by a filter of its own.
-    spoil = mlx_scripts.host_filter(
-        "Per Vertex Geometric Function",
-        ("x", "RichString", "(vi == 20) ? sqrt(-1) : x"),
-        ("y", "RichString", "y"),
-        ("z", "RichString", "z"),
-        ("onselected", "RichBool", "false"),
-    )
-    sentence = refusal(tmp_path, bump(), spoil, mlx_scripts.filter_element(name))
+    spoil, ours = mlx_scripts.spoiled_vertex(20), mlx_scripts.filter_element(name)
+    sentence = refusal(tmp_path, bump(), spoil, ours)
     assert sentence == "1 vertex has a coordinate that is infinite or not a number: remove it."
 
 
@@ -117,10 +108,8 @@ def test_infinite_coordinates(tmp_path):
 
 
 def test_the_original_shape_is_lost_in_a_file(tmp_path):
-    source, saved = server.save_mesh(tmp_path / "in.ply", *bump()), tmp_path / "out.ply"
-    script = mlx_scripts.write_script(tmp_path / "run.mlx", mlx_scripts.filter_element(GLOBAL))
-    assert server.run(script, source, saved).exit_code == 0
+    server.results(tmp_path, bump(), mlx_scripts.filter_element(GLOBAL))
     script = mlx_scripts.write_script(tmp_path / "maps.mlx", mlx_scripts.filter_element(MAPS, map="Distance"))
-    run = server.run(script, saved, tmp_path / "maps.ply")
+    run = server.run(script, tmp_path / "out.ply", tmp_path / "maps.ply")
     assert run.exit_code == 255
     assert "load the original too and choose it as 'reference'" in run.printed

@@ -13,11 +13,7 @@ FLATTEN = "flatten_patches"
 
 def flattened(tmp_path, mesh, **values):
     """The run, and the patterns that the server saved."""
-    source = server.save_mesh(tmp_path / "in.ply", *mesh)
-    script = mlx_scripts.write_script(tmp_path / "run.mlx", mlx_scripts.filter_element(FLATTEN, **values))
-    run = server.run(script, source, tmp_path / "out.ply")
-    assert run.exit_code == 0, run.printed
-    return run, server.load(tmp_path / "out.ply")
+    return server.results(tmp_path, mesh, mlx_scripts.filter_element(FLATTEN, **values))
 
 
 def edge_strains(mesh, pattern):

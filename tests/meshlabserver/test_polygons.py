@@ -56,14 +56,7 @@ def test_a_polygon_that_crosses_itself_is_left_alone_and_counted(triangulated):
 
 
 def test_a_coordinate_that_is_no_number_is_said_in_the_log(tmp_path):
-    spoil = mlx_scripts.host_filter(
-        "Per Vertex Geometric Function",
-        ("x", "RichString", "(vi == 2) ? sqrt(-1) : x"),
-        ("y", "RichString", "y"),
-        ("z", "RichString", "z"),
-        ("onselected", "RichBool", "false"),
-    )
-    script = mlx_scripts.write_script(tmp_path / "run.mlx", spoil, FILTER)
+    script = mlx_scripts.write_script(tmp_path / "run.mlx", mlx_scripts.spoiled_vertex(2), FILTER)
     outcome = server.run(
         script, polygons.write_ply(tmp_path / "in.ply", polygons.kite()), tmp_path / "out.ply"
     )

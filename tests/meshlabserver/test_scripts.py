@@ -21,15 +21,6 @@ def in_floats(mesh):
     return positions.astype(np.float32).astype(np.float64), triangles
 
 
-def by_server(tmp_path, mesh, *filters):
-    """The run and the mesh that the server saved."""
-    source = server.save_mesh(tmp_path / "in.ply", *mesh)
-    script = mlx_scripts.write_script(tmp_path / "run.mlx", *filters)
-    run = server.run(script, source, tmp_path / "out.ply")
-    assert run.exit_code == 0, run.printed
-    return run, server.load(tmp_path / "out.ply")
-
-
 def by_pymeshlab(tmp_path):
     """The same script on the same file."""
     meshes = server.load(tmp_path / "in.ply")
@@ -50,7 +41,7 @@ def test_the_stored_script_runs_as_it_is(name, tmp_path):
 @pytest.mark.parametrize("make", [bump, two_bumps])
 def test_the_log_says_what_the_saved_mesh_shows(name, make, tmp_path):
     original, triangles = in_floats(make())
-    run, saved = by_server(tmp_path, (original, triangles), mlx_scripts.filter_element(name))
+    run, saved = server.results(tmp_path, (original, triangles), mlx_scripts.filter_element(name))
     positions = positions_of(saved)
     moved = np.linalg.norm(positions - original, axis=1)
     expected = {
@@ -71,7 +62,7 @@ def test_the_log_says_what_the_saved_mesh_shows(name, make, tmp_path):
 
 @OPTIMIZERS
 def test_rounding_is_told_apart(name, tmp_path):
-    run, _ = by_server(tmp_path, in_floats(bump()), mlx_scripts.filter_element(name))
+    run, _ = server.results(tmp_path, in_floats(bump()), mlx_scripts.filter_element(name))
     before, after = (run.number(f"total_absolute_curvature_{key}") for key in ("before_rounding", "after"))
     assert before != after
     assert before == pytest.approx(after, abs=1e-3)
@@ -80,7 +71,7 @@ def test_rounding_is_told_apart(name, tmp_path):
 @OPTIMIZERS
 @pytest.mark.parametrize("make", [bump, two_bumps])
 def test_hosts_agree_to_the_last_bit_of_a_float(name, make, tmp_path):
-    _, saved = by_server(tmp_path, in_floats(make()), mlx_scripts.filter_element(name))
+    _, saved = server.results(tmp_path, in_floats(make()), mlx_scripts.filter_element(name))
     exact = by_pymeshlab(tmp_path)
     assert np.array_equal(positions_of(saved), positions_of(exact).astype(np.float32))
     assert not np.array_equal(positions_of(exact), positions_of(saved))
@@ -91,7 +82,7 @@ def test_values_of_a_script_arrive(name, tmp_path):
     limit = "max_operations" if name == mlx_scripts.LOCAL else "max_iterations"
     values = {limit: 7, "angle_tolerance": 0.002, "map": "Displacement", "colorize": False}
     original, triangles = in_floats(bump())
-    run, saved = by_server(tmp_path, (original, triangles), mlx_scripts.filter_element(name, **values))
+    run, saved = server.results(tmp_path, (original, triangles), mlx_scripts.filter_element(name, **values))
     positions = positions_of(saved)
     assert run.number("iterations") == 7
     assert run.values["status"].startswith("stopped at the limit")
@@ -106,7 +97,7 @@ def test_values_of_a_script_arrive(name, tmp_path):
 def test_lengths_arrive(length, tmp_path):
     original, triangles = in_floats(bump())
     element = mlx_scripts.filter_element(mlx_scripts.LOCAL, max_displacement=length)
-    run, saved = by_server(tmp_path, (original, triangles), element)
+    run, saved = server.results(tmp_path, (original, triangles), element)
     largest = length if length > 0 else measures.edge_lengths(original, triangles).mean()
     moved = np.linalg.norm(positions_of(saved) - original, axis=1)
     assert 0.9 * largest < moved.max() <= largest * (1 + 1e-6)
@@ -114,7 +105,7 @@ def test_lengths_arrive(length, tmp_path):
 
 
 def test_status_says_d_and_c_in_words(tmp_path):
-    run, _ = by_server(tmp_path, bump(), mlx_scripts.filter_element(mlx_scripts.GLOBAL))
+    run, _ = server.results(tmp_path, bump(), mlx_scripts.filter_element(mlx_scripts.GLOBAL))
     assert " D: " in run.values["status"]
     assert " C: " in run.values["status"]
     assert "rad of total absolute curvature" in run.values["status"]
@@ -123,7 +114,7 @@ def test_status_says_d_and_c_in_words(tmp_path):
 @pytest.mark.parametrize("title", ["Gaussian map", "Angle defect", "Gaussian curvature"])
 def test_maps_of_a_shape(title, tmp_path):
     positions, triangles = in_floats(bump())
-    run, saved = by_server(
+    run, saved = server.results(
         tmp_path, (positions, triangles), mlx_scripts.filter_element(mlx_scripts.MAPS, map=title)
     )
     expected = measures.shape_measures(positions, triangles)
@@ -141,7 +132,7 @@ def test_maps_of_a_shape(title, tmp_path):
 @pytest.mark.parametrize("title", ["Distance", "Displacement"])
 def test_maps_of_change_after_an_optimisation(title, tmp_path):
     original, triangles = in_floats(bump())
-    _, saved = by_server(
+    _, saved = server.results(
         tmp_path,
         (original, triangles),
         mlx_scripts.filter_element(mlx_scripts.GLOBAL),
@@ -156,5 +147,5 @@ def test_maps_of_change_after_an_optimisation(title, tmp_path):
 
 
 def test_maps_accept_closed_surfaces(tmp_path):
-    run, _ = by_server(tmp_path, octahedron(), mlx_scripts.filter_element(mlx_scripts.MAPS))
+    run, _ = server.results(tmp_path, octahedron(), mlx_scripts.filter_element(mlx_scripts.MAPS))
     assert run.number("total_absolute_curvature") == pytest.approx(4 * np.pi, rel=1e-7)

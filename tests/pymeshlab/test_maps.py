@@ -129,13 +129,6 @@ def test_the_hosts_own_quality_mapper_takes_the_written_quality():
     assert len(np.unique(colours, axis=0)) > 10
 
 
-def test_colours_stay_when_colorize_is_off():
-    meshes = mesh_set(bump())
-    before = meshes.current_mesh().vertex_color_matrix()
-    meshes.apply_filter(MAPS, colorize=False)
-    assert np.array_equal(meshes.current_mesh().vertex_color_matrix(), before)
-
-
 def test_closed_surfaces_are_accepted():
     _, returned = mapped(octahedron())
     assert returned["total_absolute_curvature"] == pytest.approx(4 * np.pi)

@@ -8,6 +8,7 @@ import pytest
 from mesh_sets import (
     GLOBAL,
     LOCAL,
+    MAPS,
     Length,
     Percentage,
     attribute_of,
@@ -155,10 +156,11 @@ def test_each_map_goes_to_quality_and_to_its_attribute(title, attribute):
     assert np.array_equal(attribute_of(meshes, attribute), quality_of(meshes))
 
 
-def test_colours_stay_when_colorize_is_off():
+@pytest.mark.parametrize("name", [GLOBAL, LOCAL, MAPS])
+def test_colours_stay_when_colorize_is_off(name):
     meshes = mesh_set(bump())
     before = meshes.current_mesh().vertex_color_matrix()
-    meshes.apply_filter(GLOBAL, colorize=False)
+    meshes.apply_filter(name, colorize=False)
     assert np.array_equal(meshes.current_mesh().vertex_color_matrix(), before)
 
 

@@ -28,6 +28,17 @@ def host_filter(name: str, *parameters: tuple[str, str, str]) -> ElementTree.Ele
     return element
 
 
+def spoiled_vertex(vertex: int) -> ElementTree.Element:
+    """A filter that makes a coordinate no number: the server drops such vertices when it loads them."""
+    return host_filter(
+        "Per Vertex Geometric Function",
+        ("x", "RichString", f"(vi == {vertex}) ? sqrt(-1) : x"),
+        ("y", "RichString", "y"),
+        ("z", "RichString", "z"),
+        ("onselected", "RichBool", "false"),
+    )
+
+
 def write_script(path: Path, *filters: ElementTree.Element) -> Path:
     """A script that runs the filters one after the other."""
     root = ElementTree.Element("FilterScript")

@@ -7,8 +7,10 @@ import dataclasses
 import os
 import shlex
 import subprocess
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+import mlx_scripts
 import numpy as np
 import pymeshlab
 
@@ -42,6 +44,21 @@ def run(script: Path, source: Path | None = None, target: Path | None = None) ->
     command += ["-s", str(script)]
     result = subprocess.run(command, capture_output=True, timeout=300, check=False)
     return Run(result.returncode, result.stdout.decode(errors="replace"))
+
+
+def run_filters(folder: Path, mesh: tuple[np.ndarray, np.ndarray], *filters: ElementTree.Element) -> Run:
+    """Applies filters to a mesh, from in.ply in the folder to out.ply."""
+    source = save_mesh(folder / "in.ply", *mesh)
+    return run(mlx_scripts.write_script(folder / "run.mlx", *filters), source, folder / "out.ply")
+
+
+def results(
+    folder: Path, mesh: tuple[np.ndarray, np.ndarray], *filters: ElementTree.Element
+) -> tuple[Run, pymeshlab.MeshSet]:
+    """The run of filters on a mesh, which must end well, and the mesh saved."""
+    ended = run_filters(folder, mesh, *filters)
+    assert ended.exit_code == 0, ended.printed
+    return ended, load(folder / "out.ply")
 
 
 def save_mesh(path: Path, positions: np.ndarray, triangles: np.ndarray | None = None) -> Path:
