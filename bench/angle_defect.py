@@ -8,13 +8,13 @@ numbers of evaluations; one evaluation of it is an energy with its gradient too.
 Run by bench/run.sh: angle_defect.py EXECUTABLE
 """
 
-import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
 
 import pymeshlab
+from common import print_head, print_row, said
 
 SIZES = (10_000, 100_000, 1_000_000)
 
@@ -56,20 +56,16 @@ def main() -> None:
         "global, bytes",
         "local, bytes",
     ]
-    print(f"| {' | '.join(columns)} |\n{'|---' * len(columns)}|")
+    print_head(columns)
     with tempfile.TemporaryDirectory() as folder:
         for size in SIZES:
             mesh = Path(folder) / f"{size}.off"
-            line = subprocess.run(
-                [sys.argv[1], str(size), str(mesh)], check=True, capture_output=True, text=True
-            ).stdout
-            triangles, defects, gradient, narrow, for_global, for_local = map(float, line.split())
+            numbers = map(float, said(sys.argv[1], size, mesh).split())
+            triangles, defects, gradient, narrow, for_global, for_local = numbers
             ours, theirs = defects + gradient, meshlab_nanoseconds(mesh, int(triangles))
-            print(
-                f"| {triangles:.0f} | {defects:.1f} | {gradient:.1f} | {ours:.1f} | {narrow:.1f} "
-                f"| {theirs:.0f} | {theirs / ours:.0f} | {for_global:.0f} | {for_local:.0f} |",
-                flush=True,
-            )
+            times = (f"{value:.1f}" for value in (defects, gradient, ours, narrow))
+            whole = (f"{value:.0f}" for value in (theirs, theirs / ours, for_global, for_local))
+            print_row(f"{triangles:.0f}", *times, *whole)
 
 
 if __name__ == "__main__":

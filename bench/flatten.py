@@ -19,6 +19,7 @@ from pathlib import Path
 import igl
 import numpy as np
 import pymeshlab
+from common import print_head, print_row
 from meshlab_developable import flatten
 from meshlab_developable.sewing import boundary_loops
 
@@ -173,7 +174,7 @@ def panels(paths: list[Path]) -> Iterator[tuple[str, Array, Array]]:
             yield name, *grid(41, surface)
 
 
-def row(name: str, vertices: Array, faces: Array) -> str:
+def row(name: str, vertices: Array, faces: Array) -> list[str]:
     """What each method makes of a panel: mean edge strain, the greatest, flipped triangles if any."""
     cells = []
     for method in METHODS.values():
@@ -185,7 +186,7 @@ def row(name: str, vertices: Array, faces: Array) -> str:
         found = 100 * strains(vertices, faces, flat)
         flips = flipped(faces, flat)
         cells.append(f"{found.mean():.4g} ({found.max():.3g})" + (f", {flips} flipped" if flips else ""))
-    return f"| {name} | {' | '.join(cells)} |"
+    return [name, *cells]
 
 
 def times(columns: int) -> None:
@@ -204,9 +205,9 @@ def main() -> None:
     """Print the tables."""
     paths = [Path(argument) for argument in sys.argv[1:]]
     print(f"Mean edge strain, % (in parentheses the greatest); {ITERATIONS} iterations of ARAP and SLIM.\n")
-    print(f"| panel | {' | '.join(METHODS)} |\n|{'---|' * (len(METHODS) + 1)}")
+    print_head(("panel", *METHODS))
     for panel in panels(paths):
-        print(row(*panel), flush=True)
+        print_row(*row(*panel))
     if not paths:
         times(317)
 

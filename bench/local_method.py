@@ -5,12 +5,12 @@ Run by bench/run.sh: local_method.py EXECUTABLE [MESH...]; without a mesh those 
 """
 
 import math
-import subprocess
 import sys
 from pathlib import Path
 
 import meshlab_developable
 import pymeshlab
+from common import print_head, print_row, said
 
 MODELS = Path(__file__).resolve().parent.parent / "meshes"
 FILTER = "apply_coord_local_developability"
@@ -66,20 +66,21 @@ class Model:
         """The least of three runs."""
         return min(self.run(**parameters)["seconds"] for _ in range(3))
 
-    def quality(self, report: Report) -> str:
+    def quality(self, report: Report) -> list[str]:
         """The cells of a table that QUALITY names."""
-        return (
-            f"{report['detect_function_after'] / report['detect_function_before']:.3f} "
-            f"| {report['total_absolute_curvature_after']:.2f} "
-            f"| {math.degrees(report['roughness_after']):.2f} "
-            f"| {report['mean_displacement'] / self.mean_edge:.3f} "
-            f"| {report['max_distance'] / self.mean_edge:.2f}"
-        )
+        return [
+            f"{report['detect_function_after'] / report['detect_function_before']:.3f}",
+            f"{report['total_absolute_curvature_after']:.2f}",
+            f"{math.degrees(report['roughness_after']):.2f}",
+            f"{report['mean_displacement'] / self.mean_edge:.3f}",
+            f"{report['max_distance'] / self.mean_edge:.2f}",
+        ]
 
 
 def print_header(*columns: str) -> None:
-    """The first two lines of a table."""
-    print("\n| " + " | ".join(columns) + " |\n" + "|---" * len(columns) + "|")
+    """Of a new table."""
+    print()
+    print_head(columns)
 
 
 def print_options(model: Model) -> None:
@@ -88,23 +89,20 @@ def print_options(model: Model) -> None:
     paper = model.seconds()
     for name, parameters in OPTIONS.items():
         report = model.run(**parameters)
-        print(
-            f"| {name} | {model.quality(report)} | {report['developability_after']:.3f} "
-            f"| {report['iterations']} | {report['set_aside']} | {report['refused_moves']} "
-            f"| {model.seconds(**parameters) / paper:.1f} |",
-            flush=True,
-        )
+        counts = (report[key] for key in ("iterations", "set_aside", "refused_moves"))
+        times = f"{model.seconds(**parameters) / paper:.1f}"
+        print_row(name, *model.quality(report), f"{report['developability_after']:.3f}", *counts, times)
 
 
 def print_smoothing(model: Model) -> None:
     """Smoothing against none, at the end of the run and at equal G."""
     print_header("smoothing", *QUALITY)
-    print(f"| 0 | {model.quality(model.run(descent=True))} |")
+    print_row(0, *model.quality(model.run(descent=True)))
     for smoothing in SMOOTHINGS:
         smooth = model.run(descent=True, smoothing=smoothing)
         plain = model.run_down_to(smooth["detect_function_after"], descent=True)
-        print(f"| {smoothing} | {model.quality(smooth)} |")
-        print(f"| 0, down to the G of {smoothing} | {model.quality(plain)} |", flush=True)
+        print_row(smoothing, *model.quality(smooth))
+        print_row(f"0, down to the G of {smoothing}", *model.quality(plain))
 
 
 def print_seams(model: Model) -> None:
@@ -113,18 +111,16 @@ def print_seams(model: Model) -> None:
     for displacement in DISPLACEMENTS:
         for seams in ("Fixed", "Move together"):
             report = model.run(displacement, descent=True, assembling_vertices=seams)
-            print(f"| {displacement} | {seams} | {model.quality(report)} |", flush=True)
+            print_row(displacement, seams, *model.quality(report))
 
 
 def print_costs(executable: str) -> None:
     """Nanoseconds an operation at growing sizes."""
     print("\nNanoseconds an operation")
     print_header("vertices", "ns", "operations a second", "ns without self-intersections", "times")
-    output = subprocess.run([executable], check=True, capture_output=True, text=True).stdout
-    for vertices, plain, avoiding in (map(float, row.split()) for row in output.splitlines()):
-        print(
-            f"| {vertices:.0f} | {plain:.0f} | {1e9 / plain:.2g} | {avoiding:.0f} | {avoiding / plain:.1f} |"
-        )
+    for vertices, plain, avoiding in (map(float, row.split()) for row in said(executable).splitlines()):
+        a_second, times = f"{1e9 / plain:.2g}", f"{avoiding / plain:.1f}"
+        print_row(f"{vertices:.0f}", f"{plain:.0f}", a_second, f"{avoiding:.0f}", times)
 
 
 def main() -> None:

@@ -10,7 +10,6 @@ with and without noise.
 """
 
 import math
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -18,6 +17,7 @@ from pathlib import Path
 import casadi
 import numpy as np
 import scipy.sparse as sparse
+from common import print_head, print_row, said, write_off
 
 SHAPES = ("cap", "saddle", "bump", "wave", "vamp", "steep_bump", "holes")
 SMOOTHNESSES = (3e-5, 1e-5, 3e-6, 1e-6)
@@ -114,36 +114,23 @@ def displacement_at(wrinkling: float, curve: list[tuple[float, float, float, flo
     return float(np.interp(wrinkling, wrinkles, moved, left=math.nan, right=math.nan))
 
 
-def write_off(path: Path, points: np.ndarray, triangles: np.ndarray) -> None:
-    """With every digit."""
-    lines = [f"OFF\n{len(points)} {len(triangles)} 0"]
-    lines += [" ".join(repr(float(c)) for c in p) for p in points]
-    lines += [f"3 {a} {b} {c}" for a, b, c in triangles]
-    path.write_text("\n".join(lines) + "\n")
-
-
 def main() -> None:
     """Print a row for each shape."""
     executable, columns = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else "31"
 
     def measured(before: Path, after: Path) -> tuple[float, float, float]:
         """Mean displacement in % of the diagonal, wrinkling in degrees, smallest angle in degrees."""
-        words = subprocess.run(
-            [executable, "measure", before, after], capture_output=True, text=True, check=True
-        )
-        numbers = [float(word) for word in words.stdout.split()]
+        numbers = [float(word) for word in said(executable, "measure", before, after).split()]
         return numbers[5], numbers[9], numbers[11]
 
     titles = ("mesh", "moved: ours", "at the same wrinkling: IPOPT", "ratio", "wrinkling: ours")
-    print(f"| {' | '.join(titles)} | IPOPT's curve: smoothness: moved, wrinkling |\n{'|---' * 6}|")
+    print_head((*titles, "IPOPT's curve: smoothness: moved, wrinkling"))
     with tempfile.TemporaryDirectory() as name:
         before, ours, other = (Path(name) / f"{part}.off" for part in ("before", "ours", "other"))
         for shape in sys.argv[3:] or SHAPES:
             for noise in ("0", "0.02"):
-                subprocess.run([executable, "shape", shape, columns, noise, before], check=True)
-                subprocess.run(
-                    [executable, "run", "constrained_newton", before, ours], check=True, capture_output=True
-                )
+                said(executable, "shape", shape, columns, noise, before)
+                said(executable, "run", "constrained_newton", before, ours)
                 moved, wrinkling, _ = measured(before, ours)
                 points, triangles = read_off(before)
                 start = read_off(ours)[0]
@@ -154,11 +141,9 @@ def main() -> None:
                     curve.append((*measured(before, other), smoothness, status))
                 at_same = displacement_at(wrinkling, curve)
                 text = "; ".join(f"{c[3]:.0e}: {c[0]:.3g}, {c[1]:.3g} ({c[4]})" for c in curve)
-                print(
-                    f"| {shape} {columns}{' noise' if noise != '0' else ''} | {moved:.3g} | {at_same:.3g} | "
-                    f"{moved / at_same:.2f} | {wrinkling:.3g} | {text} |",
-                    flush=True,
-                )
+                mesh = f"{shape} {columns}{' noise' if noise != '0' else ''}"
+                numbers = f"{moved:.3g}", f"{at_same:.3g}", f"{moved / at_same:.2f}", f"{wrinkling:.3g}"
+                print_row(mesh, *numbers, text)
 
 
 if __name__ == "__main__":

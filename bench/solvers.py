@@ -19,6 +19,7 @@ import time
 from pathlib import Path
 
 import pymeshlab
+from common import print_head, print_row, said, write_off
 
 METHODS = ("constrained_newton", "conjugate_gradient", "local", "least_norm", "meshlab")
 SHAPES = ("cap", "saddle", "bump", "wave", "vamp", "steep_bump", "holes")
@@ -48,14 +49,6 @@ COLUMNS = (
 )
 
 
-def write_off(path: Path, vertices: object, faces: object) -> None:
-    """Write an OFF file with every digit of the coordinates."""
-    lines = ["OFF", f"{len(vertices)} {len(faces)} 0"]
-    lines += [" ".join(repr(float(x)) for x in v) for v in vertices]
-    lines += [f"3 {a} {b} {c}" for a, b, c in faces]
-    path.write_text("\n".join(lines) + "\n", encoding="ascii")
-
-
 def load(path: Path) -> pymeshlab.MeshSet:
     """Read any mesh file that MeshLab reads."""
     meshes = pymeshlab.MeshSet()
@@ -79,7 +72,7 @@ def grids(executable: str, folder: Path, sizes: tuple[int, ...]) -> list[Path]:
         for name in SHAPES:
             for noise in (0.0, NOISE):
                 path = folder / f"{name}_{size}{'_noise' if noise else ''}.off"
-                subprocess.run([executable, "shape", name, str(size), str(noise), str(path)], check=True)
+                said(executable, "shape", name, size, noise, path)
                 paths.append(path)
     return paths
 
@@ -130,10 +123,7 @@ def row(executable: str, method: str, before: Path, after: Path) -> str:
     if done.returncode != 0:
         return f"{head}{'|' * 16} {done.stderr.strip()} |"
     seconds, megabytes, status = done.stdout.strip().split(" ", 2)
-    measured = subprocess.run(
-        [executable, "measure", before, after], capture_output=True, text=True, check=True
-    )
-    vertices, *numbers = measured.stdout.split()
+    vertices, *numbers = said(executable, "measure", before, after).split()
     values = [f"{float(number):.3g}" for number in numbers]
     cells = [vertices, f"{float(seconds):.2f}", f"{float(megabytes):.0f}", *values, status]
     return f"{head}| {' | '.join(cells)} |"
@@ -141,32 +131,23 @@ def row(executable: str, method: str, before: Path, after: Path) -> str:
 
 def sizes(executable: str) -> None:
     """Print how time and memory grow with the number of vertices."""
-    print(
-        "| vertices | seconds: constrained Newton | power of n | MB | C | paper's 200 steps | C |\n|---"
-        + "|---" * 6
-        + "|"
-    )
+    head = ("seconds: constrained Newton", "power of n", "MB", "C", "paper's 200 steps", "C")
+    print_head(("vertices", *head))
     with tempfile.TemporaryDirectory() as name:
         before, after = Path(name) / "before.off", Path(name) / "after.off"
         last = (0, 0.0)
         for columns in (32, 101, 317, 1001):
-            subprocess.run([executable, "shape", "bump", str(columns), "0", before], check=True)
+            said(executable, "shape", "bump", columns, 0, before)
             cells = []
             for method in ("constrained_newton", "conjugate_gradient_200"):
-                run = [executable, "run", method, before, after]
-                words = subprocess.run(run, capture_output=True, text=True, check=True).stdout.split()
-                measured = subprocess.run(
-                    [executable, "measure", before, after], capture_output=True, text=True, check=True
-                ).stdout.split()
+                words = said(executable, "run", method, before, after).split()
+                measured = said(executable, "measure", before, after).split()
                 cells.append((float(words[0]), float(words[1]), float(measured[2])))
             (ours, megabytes, left), (paper, _, left_by_paper) = cells
             power = math.log(ours / last[1]) / math.log(columns**2 / last[0]) if last[0] else math.nan
             last = columns**2, ours
-            print(
-                f"| {columns**2} | {ours:.2f} | {power:.2f} | {megabytes:.0f} | {left:.1e} | "
-                f"{paper:.2f} | {left_by_paper:.2g} |",
-                flush=True,
-            )
+            texts = (f"{ours:.2f}", f"{power:.2f}", f"{megabytes:.0f}", f"{left:.1e}")
+            print_row(columns**2, *texts, f"{paper:.2f}", f"{left_by_paper:.2g}")
 
 
 def main() -> None:
@@ -178,7 +159,7 @@ def main() -> None:
     if wanted == ["sizes"]:
         sizes(executable)
         return
-    print(f"| {' | '.join(COLUMNS)} |\n{'|---' * len(COLUMNS)}|")
+    print_head(COLUMNS)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         choices = {

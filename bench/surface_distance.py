@@ -4,8 +4,9 @@
 Run by bench/run.sh: surface_distance.py EXECUTABLE
 """
 
-import subprocess
 import sys
+
+from common import print_head, print_row, said
 
 SIZES = (1_000, 10_000, 100_000)
 COLUMNS = (
@@ -16,11 +17,9 @@ COLUMNS = (
 
 def main() -> None:
     """Print the table."""
-    print(f"| {' | '.join(COLUMNS)} |\n{'|---' * len(COLUMNS)}|")
+    print_head(COLUMNS)
     for size in SIZES:
-        command = [sys.argv[1], str(size)]
-        line = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        print(f"| {' | '.join(line.split())} |", flush=True)
+        print_row(*said(sys.argv[1], size).split())
 
 
 if __name__ == "__main__":
