@@ -55,6 +55,8 @@ def build_plugin(sources: Path) -> Path:
     """Compile what has changed; where the plugin is."""
     target = HOST if (sources / "build" / HOST / ".configured").exists() else "wheel"
     environment = dict(os.environ)
+    # Set-up may have to install this package in its own environment, which this pip would take for a loop.
+    environment.pop("PIP_BUILD_TRACKER", None)
     if target == "wheel":
         environment["DEVELOPABLE_HOST_LIBRARY"] = str(host_library())
     subprocess.run(["bash", str(sources / "scripts" / "setup.sh"), target], env=environment, check=True)
