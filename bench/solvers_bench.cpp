@@ -143,7 +143,7 @@ double flattenedStrain(const PatchAssembly& assembly, const Positions& positions
 /// Prints what the table shows, blank between numbers; lengths in % of the diagonal, angles in degrees.
 void printMeasures(const PatchAssembly& assembly, const Positions& positions) {
 	const Positions& original = assembly.originalPositions;
-	const double percent = 100 / (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
+	const double percent = 100 / boxDiagonal(original);
 	const Measures before = measure(assembly, original, 1e-4), after = measure(assembly, positions, 1e-4);
 	const Eigen::VectorXd displacement = percent * (positions - original).colwise().norm();
 	const Eigen::VectorXd distance =

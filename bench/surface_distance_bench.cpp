@@ -54,7 +54,7 @@ int main(int count, char** arguments) {
 	}
 	const int side = static_cast<int>(std::lround(std::sqrt(std::atof(arguments[1]) / 2))) + 1;
 	const TriangleMesh mesh = test::jitteredGrid(side, side, test::bumpedCylinder);
-	const double size = (mesh.positions.rowwise().maxCoeff() - mesh.positions.rowwise().minCoeff()).norm();
+	const double size = boxDiagonal(mesh.positions);
 	std::printf("%d", mesh.triangleCount());
 	for (const double away : {0.0, 1e-3, 0.1})
 		std::printf(" %.3f", seconds(mesh, queryPoints(mesh, away * size)));

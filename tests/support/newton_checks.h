@@ -45,8 +45,7 @@ inline int flippedTriangles(const PatchAssembly& assembly, const Positions& posi
 
 inline double meanDisplacement(const PatchAssembly& assembly, const Positions& positions) {
 	const Positions& original = assembly.originalPositions;
-	const double diagonal = (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
-	return (positions - original).colwise().norm().mean() / diagonal;
+	return (positions - original).colwise().norm().mean() / boxDiagonal(original);
 }
 
 /// What no result may suffer.

@@ -186,6 +186,19 @@ TEST(ConstrainedNewton, EndsAtItsLimitOfIterations) {
 			  measure(assembly, assembly.originalPositions, 1e-4).totalAbsoluteCurvature);
 }
 
+TEST(ConstrainedNewton, MayTakeNoStepAtAll) {
+	for (const int columns : {15, 60}) { // one level, and several
+		const PatchAssembly assembly = assembled(jitteredGrid(columns, columns, bumpedCylinder));
+		Positions positions = assembly.originalPositions;
+		ConstrainedNewtonOptions options;
+		options.maxIterations = 0;
+		const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, options);
+		EXPECT_EQ(report.status, Status::LimitReached);
+		EXPECT_EQ(report.iterations, 0);
+		EXPECT_EQ(positions, assembly.originalPositions);
+	}
+}
+
 TEST(ConstrainedNewton, RefusesOptionsOutOfRange) {
 	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, saddle));
 	Positions positions = assembly.originalPositions;
@@ -196,7 +209,7 @@ TEST(ConstrainedNewton, RefusesOptionsOutOfRange) {
 	};
 	refused([](auto& options) { options.curvatureTolerance = 0; });
 	refused([](auto& options) { options.angleTolerance = -1; });
-	refused([](auto& options) { options.maxIterations = 0; });
+	refused([](auto& options) { options.maxIterations = -1; });
 	refused([](auto& options) { options.smoothness = 0; });
 	refused([](auto& options) { options.smoothness = std::nan(""); });
 	const PatchAssembly closed = assembled(octahedron());

@@ -36,7 +36,7 @@ inline void requireValid(const ConstrainedNewtonOptions& options) {
 	};
 	require(options.curvatureTolerance > 0, "The curvature tolerance must be greater than 0.");
 	require(options.angleTolerance > 0, "The angle tolerance must be greater than 0.");
-	require(options.maxIterations >= 1, "The limit of iterations must be at least 1.");
+	require(options.maxIterations >= 0, "The limit of iterations must not be negative.");
 	require(options.smoothness > 0 && options.smoothness <= 1,
 			"The smoothness must be greater than 0 and at most 1.");
 	require(options.memoryLimit >= 0, "The limit of memory must not be negative.");
@@ -95,13 +95,12 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 	report.smoothness = outcome.smoothness;
 	if (outcome.status == Status::Stopped)
 		return report;
-	const bool held = detail::holdsPlaces(assembly);
 	defects = angleDefects(assembly, outcome.positions);
-	if (detectFunction(defects) < detectBefore && (held || defects.cwiseAbs().sum() < curvatureBefore))
+	if (detail::better(assembly, defects, detectBefore, curvatureBefore))
 		positions = outcome.positions;
 	defects = angleDefects(assembly, positions);
 	detail::describeShape(assembly, defects, report);
-	if (report.status == Status::Stalled && !held)
+	if (report.status == Status::Stalled && !detail::holdsPlaces(assembly))
 		report.status = Status::NeedsCut;
 	return report;
 }

@@ -10,6 +10,12 @@ namespace developable {
 /// Coordinates of vertices or of object vertices, one column each, in the mesh's unit of length.
 using Positions = Eigen::Matrix3Xd;
 
+/// The diagonal of the box round some points, one column each; length.
+template <class Points>
+double boxDiagonal(const Eigen::MatrixBase<Points>& points) {
+	return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
+
 /// What of a mesh decides how it falls into patches, and what of them may move.
 struct TriangleMesh {
 	Positions positions;                ///< 3 x vertices, deleted ones included

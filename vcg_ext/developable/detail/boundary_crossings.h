@@ -2,6 +2,8 @@
 // boundary_crossings.h: which pieces of a layout cross themselves or another, by their boundary segments.
 #pragma once
 
+#include "../triangle_mesh.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -35,7 +37,7 @@ inline std::vector<char> crossingPieces(const Eigen::Matrix2Xd& positions,
 	std::vector<char> crossing(pieceCount, 0);
 	if (segments.empty())
 		return crossing;
-	const double size = (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
+	const double size = boxDiagonal(positions);
 	const double tolerance = 1e-14 * size * size;
 	const auto left = [&](const BoundarySegment& s) {
 		return std::min(positions(0, s.start), positions(0, s.end));

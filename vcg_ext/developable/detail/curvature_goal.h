@@ -45,10 +45,12 @@ inline bool holdsPlaces(const PatchAssembly& assembly) {
 	return std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
 }
 
-/// The diagonal of the original's box.
-inline double diagonal(const PatchAssembly& assembly) {
-	const Positions& original = assembly.originalPositions;
-	return (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
+/// Whether a shape is better than another: less G, and less C too unless places are held, for then the goal
+/// is the least squares of g.
+inline bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, double otherDetectFunction,
+				   double otherCurvature) {
+	return detectFunction(defects) < otherDetectFunction &&
+		   (holdsPlaces(assembly) || defects.cwiseAbs().sum() < otherCurvature);
 }
 
 /// How far the farthest place is from where it was.

@@ -12,7 +12,6 @@ namespace developable::detail {
 inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Positions& start, double smoothness,
 								   const CurvatureGoal& goal, int maxIterations, const Progress& progress) {
 	Eigen::VectorXd smoothnesses = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness);
-	const bool held = holdsPlaces(assembly);
 	Eigen::VectorXd defects = angleDefects(assembly, start);
 	const double curvatureBefore = defects.cwiseAbs().sum();
 	double least = detectFunction(defects);
@@ -27,8 +26,7 @@ inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Position
 			break;
 		defects = angleDefects(assembly, outcome.positions);
 		// A little less curvature is not worth the greater distance of a second attempt.
-		const bool better = detectFunction(defects) < (attempt == 0 ? 1 : 0.1) * least;
-		if (better && (held || defects.cwiseAbs().sum() < curvatureBefore)) {
+		if (better(assembly, defects, (attempt == 0 ? 1 : 0.1) * least, curvatureBefore)) {
 			least = detectFunction(defects);
 			best.positions = outcome.positions;
 			best.smoothness = smoothnesses.maxCoeff();

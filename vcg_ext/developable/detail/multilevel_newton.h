@@ -55,8 +55,10 @@ private:
 		const int stepsLeft = maxIterations_ - outcome.iterations;
 		if (outcome.status != Status::Stalled || !holdsPlaces(assembly) || stepsLeft <= 0)
 			return outcome;
-		const NewtonOutcome more = NormalSteps(assembly, smoothness_, goal_, memoryLimit_, progress)
-									   .run(outcome.positions, farthestShare * diagonal(assembly), stepsLeft);
+		const double farthest = farthestShare * boxDiagonal(assembly.originalPositions);
+		const NewtonOutcome more =
+			NormalSteps(assembly, Soundness(assembly), smoothness_, goal_, memoryLimit_, progress)
+				.run(outcome.positions, farthest, stepsLeft);
 		outcome.iterations += more.iterations;
 		outcome.positions = more.positions;
 		if (more.status != Status::LimitReached)
@@ -68,14 +70,17 @@ private:
 						 const NewtonOutcome& coarseOutcome, const Progress& progress) const {
 		const Positions displacement = prolonged(
 			assembly, coarse, coarseOutcome.positions - coarse.assembly.originalPositions, memoryLimit_);
-		const Positions begin = soundStart(assembly, displacement);
+		Soundness soundness(assembly);
+		const Positions begin = soundStart(assembly, soundness, displacement);
 		// With a coarse solution at hand what is left to do is little; without one, more may do harm.
+		const double diagonal = boxDiagonal(assembly.originalPositions);
 		const double farthest =
 			converged(coarseOutcome.status)
-				? diagonal(assembly)
-				: std::max(farthestShare * diagonal(assembly), farthestDisplacement(assembly, begin));
-		NewtonOutcome outcome = NormalSteps(assembly, smoothness_, goal_, memoryLimit_, progress)
-									.run(begin, farthest, maxIterations_);
+				? diagonal
+				: std::max(farthestShare * diagonal, farthestDisplacement(assembly, begin));
+		NewtonOutcome outcome =
+			NormalSteps(assembly, std::move(soundness), smoothness_, goal_, memoryLimit_, progress)
+				.run(begin, farthest, maxIterations_);
 		outcome.smoothness = coarseOutcome.smoothness;
 		if (outcome.status == Status::Stalled && converged(coarseOutcome.status)) {
 			const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_);
@@ -88,8 +93,8 @@ private:
 	}
 
 	/// The whole displacement, or as much of it as leaves the triangles in order.
-	static Positions soundStart(const PatchAssembly& assembly, const Positions& displacement) {
-		const Soundness soundness(assembly);
+	static Positions soundStart(const PatchAssembly& assembly, const Soundness& soundness,
+								const Positions& displacement) {
 		double share = 1;
 		while (share > 1e-3 && !soundness.holds(assembly.originalPositions + share * displacement))
 			share /= 2;

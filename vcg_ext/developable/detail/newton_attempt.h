@@ -52,7 +52,7 @@ private:
 
 	void begin(const Positions& start, int maxIterations) {
 		maxIterations_ = maxIterations;
-		diagonal_ = diagonal(assembly_);
+		diagonal_ = boxDiagonal(assembly_.originalPositions);
 		lastNear_ = start;
 		moveTo(stateAt(start));
 		startCurvature_ = state_.curvature;

@@ -18,11 +18,11 @@ namespace developable::detail {
 class NormalSteps {
 public:
 	/// \param memoryLimit  see SparseSolver
-	NormalSteps(const PatchAssembly& assembly, double smoothness, const CurvatureGoal& goal,
-				double memoryLimit, const Progress& progress)
+	NormalSteps(const PatchAssembly& assembly, Soundness soundness, double smoothness,
+				const CurvatureGoal& goal, double memoryLimit, const Progress& progress)
 		: assembly_(assembly), goal_(goal), progress_(progress),
 		  metric_(assembly, Eigen::VectorXd::Constant(assembly.patchCount(), smoothness)),
-		  jacobian_(assembly, metric_.placeMass()), soundness_(assembly),
+		  jacobian_(assembly, metric_.placeMass()), soundness_(std::move(soundness)),
 		  metricMatrix_(metric_.matrix().selfadjointView<Eigen::Lower>()), solver_(memoryLimit) {}
 
 	/// \param farthest  how far from the original a place may go, length

@@ -25,6 +25,8 @@ public:
 		cholmod().print = 0;
 	}
 
+	bool positiveDefinite() const { return info() == Eigen::Success; }
+
 	/// Of the factor, once the pattern is known, bytes: its numbers, and half as many zeros between them.
 	double factorMemory() { return 1.5 * 8 * cholmod().lnz; }
 };
@@ -33,6 +35,9 @@ public:
 
 class CholeskyFactorization : public Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> {
 public:
+	/// It factorises many other matrices too; CHOLMOD refuses them.
+	bool positiveDefinite() const { return info() == Eigen::Success && (vectorD().array() > 0).all(); }
+
 	/// Of the factor, once the pattern is known, bytes.
 	double factorMemory() const { return 12.0 * static_cast<double>(m_matrix.nonZeros()); }
 };
@@ -50,13 +55,12 @@ public:
 		return factorization_.factorMemory();
 	}
 
-	/// Says whether it succeeded. A matrix that is not positive definite fails with CHOLMOD, but need not
-	/// with Eigen's factorisation, so callers that can't be sure of it check what they solve for.
+	/// Says whether the matrix is positive definite; if not, there is nothing to solve with.
 	bool factorize(const SparseMatrix& matrix) {
 		if (!analyzed_)
 			analyze(matrix);
 		factorization_.factorize(matrix);
-		return factorization_.info() == Eigen::Success;
+		return factorization_.positiveDefinite();
 	}
 
 	template <class RightHandSide>
