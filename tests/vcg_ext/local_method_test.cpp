@@ -365,13 +365,17 @@ int countIntersections(const PatchAssembly& assembly, const Positions& positions
 	return count;
 }
 
-TEST(LocalMethod, AvoidsSelfIntersectionsWhereThePapersMovesMakeThem) {
-	// A crumpled sheet just above a flat one.
-	std::mt19937 random(5);
+/// A crumpled sheet just above a flat one.
+TriangleMesh crumpledAboveFlat(unsigned seed) {
+	std::mt19937 random(seed);
 	const auto crumpled = [&](double u, double v) -> Eigen::Vector3d {
 		return {u, v, 0.005 + 0.05 * random() / std::mt19937::max()};
 	};
-	const PatchAssembly assembly = assembled(together(grid(13, 13, crumpled), grid(12, 12, flatSheet)));
+	return together(grid(13, 13, crumpled), grid(12, 12, flatSheet));
+}
+
+TEST(LocalMethod, AvoidsSelfIntersectionsWhereThePapersMovesMakeThem) {
+	const PatchAssembly assembly = assembled(crumpledAboveFlat(5));
 	ASSERT_EQ(countIntersections(assembly, assembly.originalPositions), 0);
 	LocalMethodOptions options;
 	options.maxDisplacement = 0.2;
@@ -384,6 +388,42 @@ TEST(LocalMethod, AvoidsSelfIntersectionsWhereThePapersMovesMakeThem) {
 	EXPECT_GT(report.refusedMoves, 0);
 	EXPECT_LT(measured(assembly, clear).detectFunction,
 			  measured(assembly, assembly.originalPositions).detectFunction);
+}
+
+TEST(BoxTree, FindsAllThatMeetABoxWhileTheyMove) {
+	std::mt19937 random(2);
+	const auto randomBox = [&](double size) {
+		const auto share = [&] { return double(random()) / std::mt19937::max(); };
+		const Eigen::Vector3d at(share(), share(), share());
+		Eigen::Matrix3d points;
+		for (auto point : points.colwise())
+			point = at + size * Eigen::Vector3d(share(), share(), share());
+		return detail::boxOf(points);
+	};
+	for (const int count : {1, 8, 9, 700}) {
+		std::vector<detail::Box> boxes(count);
+		for (detail::Box& box : boxes)
+			box = randomBox(0.1);
+		detail::BoxTree tree(boxes);
+		for (int round = 0; round < 200; ++round) {
+			const int mover = static_cast<int>(random() % count);
+			boxes[mover] = randomBox(0.1);
+			tree.extend(mover, boxes[mover]);
+			const detail::Box wanted = randomBox(0.3);
+			const std::vector<int>& found = tree.near(wanted);
+			for (int i = 0; i < count; ++i) {
+				const bool meets = (boxes[i].head<3>() <= -wanted.tail<3>()).all() &&
+								   (wanted.head<3>() <= -boxes[i].tail<3>()).all();
+				EXPECT_EQ(detail::contains(boxes[i], detail::core(wanted)), meets);
+				if (meets) {
+					EXPECT_EQ(std::count(found.begin(), found.end(), i), 1);
+				}
+			}
+			if (count == 700 && round == 0) {
+				EXPECT_LT(found.size(), 100);
+			}
+		}
+	}
 }
 
 TEST(TriangleIntersection, KnowsDisjointCrossingAndJoinedTriangles) {

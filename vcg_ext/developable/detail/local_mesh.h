@@ -47,7 +47,6 @@ struct LocalMesh {
 	std::vector<Copy> copies;                     ///< one more at the end
 	std::vector<Corner> corners;
 	std::vector<double> cotangents;                     ///< per corner
-	std::vector<int> triangles;                         ///< per corner
 	std::unordered_map<int, std::vector<int>> watchers; ///< per watched copy, those places
 
 	LocalMesh(const PatchAssembly& assembly, const Positions& original, AssemblingVertices assemblingVertices)
@@ -152,7 +151,6 @@ private:
 			place.firstCorner = copies[place.firstCopy].firstCorner;
 		corners.resize(cornerAt.size());
 		cotangents.resize(cornerAt.size());
-		triangles.resize(cornerAt.size());
 		for (int i = 0; i < static_cast<int>(cornerAt.size()); ++i) {
 			Corner& corner = corners[cornerAt[i]];
 			corner.number = static_cast<signed char>(i % 3);
@@ -162,7 +160,6 @@ private:
 				corner.corner[other] = cornerAt[i - i % 3 + number];
 			}
 			cotangents[cornerAt[i]] = originalCotangents.data()[i];
-			triangles[cornerAt[i]] = i / 3;
 		}
 	}
 

@@ -10,6 +10,7 @@
 #include "tournament.h"
 
 #include <cstdio>
+#include <optional>
 
 namespace developable::detail {
 
@@ -21,8 +22,10 @@ public:
 		  worst_(mesh_.originalPlace), lookAhead_(mesh_),
 		  limit_(options.maxDisplacement == LocalMethodOptions::meanEdge ? meanEdgeLength(assembly)
 																		 : options.maxDisplacement),
-		  smoothing_(options.smoothing / std::pow(meanEdgeLength(assembly), 2)),
-		  intersections_(mesh_, options.avoidSelfIntersections ? limit_ : 0) {}
+		  smoothing_(options.smoothing / std::pow(meanEdgeLength(assembly), 2)) {
+		if (options.avoidSelfIntersections)
+			intersections_.emplace(mesh_);
+	}
 
 	LocalMethodReport run(Positions& positions, const Progress& progress) {
 		if (allDevelopable())
@@ -138,15 +141,12 @@ private:
 			// before + (wanted - before) may round to another height than the one wanted.
 			state_.moveTo(place, halving == 0 ? wanted : before + std::ldexp(wanted - before, -halving));
 			const bool descended = !options_.descent || objective(place) < startValue;
-			const bool intersects =
-				descended && options_.avoidSelfIntersections && intersections_.newOnes(place);
+			const bool intersects = descended && intersections_ && intersections_->newOnes(place);
 			if (descended && !intersects)
 				return true;
 			intersected |= intersects;
 		}
 		state_.moveTo(place, before);
-		if (options_.avoidSelfIntersections)
-			intersections_.update(place);
 		report_.refusedMoves += intersected;
 		return false;
 	}
@@ -194,8 +194,8 @@ private:
 	LookAhead lookAhead_;
 	int movableCount_ = 0;
 	double limit_;
-	double smoothing_; // rad² / length²
-	SelfIntersections intersections_;
+	double smoothing_;                               // rad² / length²
+	std::optional<SelfIntersections> intersections_; // where they are to be avoided
 	std::vector<Move> moves_;
 	double startValue_ = 0, lowestValue_ = 0;
 	long lowestAt_ = 0;

@@ -11,28 +11,27 @@
 
 namespace developable::detail {
 
-/// The three corners of a triangle with its normal and box, and the object vertices they lie at.
+/// The three corners of a triangle with its normal, and the object vertices they lie at.
 struct PlacedTriangle {
 	Eigen::Vector3i places;
 	Eigen::Matrix3d corners;
 	Eigen::Vector3d normal;
-	Eigen::AlignedBox3d box;
 
 	PlacedTriangle(const Eigen::Vector3i& at, const Eigen::Matrix3d& points)
 		: places(at), corners(points),
-		  normal((corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0))),
-		  box(corners.rowwise().minCoeff(), corners.rowwise().maxCoeff()) {}
+		  normal((corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0))) {}
 
-	/// Whether another one lies wholly beyond the plane that stands on one of its edges, apart from the
-	/// corners that are the edge's ends. Most neighbours on a surface do.
-	bool hasBeyondAnEdge(const PlacedTriangle& other) const {
+	/// Whether others' corners all lie beyond the plane that stands on one of its edges, apart from those
+	/// that are the edge's ends. Those of most neighbours on a surface do. \param others  3 x corners
+	template <class Places, class Corners>
+	bool hasBeyondAnEdge(const Places& otherPlaces, const Corners& others) const {
 		for (int first = 0; first < 3; ++first) {
-			const int second = (first + 1) % 3;
+			const int second = (first + 1) % 3, count = static_cast<int>(otherPlaces.size());
 			const Eigen::Vector3d at = corners.col(first), outward = (corners.col(second) - at).cross(normal);
 			bool beyond = true;
-			for (int corner = 0; beyond && corner < 3; ++corner)
-				beyond = other.places[corner] == places[first] || other.places[corner] == places[second] ||
-						 outward.dot(other.corners.col(corner) - at) > 0;
+			for (int i = 0; beyond && i < count; ++i)
+				beyond = outward.dot(others.col(i) - at) > 0 || otherPlaces[i] == places[first] ||
+						 otherPlaces[i] == places[second];
 			if (beyond)
 				return true;
 		}
@@ -65,10 +64,8 @@ struct SharedCorners {
 /// Whether two triangles cut each other. Those that share one vertex do where the line of both their planes
 /// runs into both corners; those that share an edge only when folded flat, which no move hits exactly.
 inline bool intersect(const PlacedTriangle& a, const PlacedTriangle& b) {
-	if (!a.box.intersects(b.box))
-		return false;
 	const SharedCorners shared(a.places, b.places);
-	if (shared.count > 1 || a.hasBeyondAnEdge(b))
+	if (shared.count > 1 || a.hasBeyondAnEdge(b.places, b.corners))
 		return false;
 	if (shared.count == 1) {
 		const Eigen::Vector3d line = a.normal.cross(b.normal);
