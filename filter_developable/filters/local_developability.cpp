@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // local_developability.cpp: the filter Local Developability (Section 5).
+#include "../host.h"
 #include "../optimize_layer.h"
 #include "../shared_parameters.h"
 #include "filters.h"
 
 #include "developable/local_method.h"
 #include "developable/roughness.h"
+
+#include <type_traits>
 
 namespace developable::plugin {
 
@@ -21,6 +24,7 @@ LocalMethodOptions localOptions(const ParameterValues& values) {
 	options.smoothing = values.number("smoothing");
 	options.assemblingVertices = values.choice<AssemblingVertices>("assembling_vertices");
 	options.avoidSelfIntersections = values.boolean("avoid_self_intersections");
+	options.roundedToFloat = std::is_same_v<host::Scalar, float>;
 	return options;
 }
 

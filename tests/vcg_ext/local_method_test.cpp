@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/local_method.h"
 
+#include "developable/mesh_reader.h"
 #include "developable/roughness.h"
 #include "support/finite_differences.h"
 #include "support/shapes.h"
@@ -388,6 +389,27 @@ TEST(LocalMethod, AvoidsSelfIntersectionsWhereThePapersMovesMakeThem) {
 	EXPECT_GT(report.refusedMoves, 0);
 	EXPECT_LT(measured(assembly, clear).detectFunction,
 			  measured(assembly, assembly.originalPositions).detectFunction);
+}
+
+TEST(LocalMethod, AvoidsSelfIntersectionsThatRoundingWouldMake) {
+	LocalMethodOptions options;
+	options.maxDisplacement = 0.2;
+	options.avoidSelfIntersections = true;
+	int unaware = 0, aware = 0;
+	for (unsigned seed = 1; seed <= 8; ++seed) {
+		TriangleMesh mesh = crumpledAboveFlat(seed);
+		mesh.positions = rounded<float>((mesh.positions.array() + 1000).matrix()); // rounding counts far out
+		const PatchAssembly assembly = assembled(mesh);
+		ASSERT_EQ(countIntersections(assembly, assembly.originalPositions), 0);
+		for (const bool roundedToFloat : {false, true}) {
+			options.roundedToFloat = roundedToFloat;
+			Positions positions = assembly.originalPositions;
+			localMethod(assembly, positions, options);
+			(roundedToFloat ? aware : unaware) += countIntersections(assembly, rounded<float>(positions));
+		}
+	}
+	EXPECT_GT(unaware, 0);
+	EXPECT_EQ(aware, 0);
 }
 
 TEST(BoxTree, FindsAllThatMeetABoxWhileTheyMove) {

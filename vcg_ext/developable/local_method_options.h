@@ -12,7 +12,7 @@ enum class AssemblingVertices {
 	MoveTogether ///< linked copies move as one, for the sum of what each patch gains
 };
 
-/// With the defaults of the last four the method is the paper's. They are what its Section 7 asks for.
+/// With the defaults from `descent` on the method is the paper's. They are what its Section 7 asks for.
 struct LocalMethodOptions {
 	static constexpr double meanEdge = -1;
 
@@ -24,6 +24,7 @@ struct LocalMethodOptions {
 		0; ///< weight in T of uneven moves: mean square difference to neighbours in mean edges, rad²
 	AssemblingVertices assemblingVertices = AssemblingVertices::Fixed;
 	bool avoidSelfIntersections = false; ///< no move may make the surface cut itself
+	bool roundedToFloat = false;         ///< nor as a mesh in float will hold it
 };
 
 struct LocalMethodReport : OptimizationReport {

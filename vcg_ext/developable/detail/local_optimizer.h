@@ -24,7 +24,7 @@ public:
 																		 : options.maxDisplacement),
 		  smoothing_(options.smoothing / std::pow(meanEdgeLength(assembly), 2)) {
 		if (options.avoidSelfIntersections)
-			intersections_.emplace(mesh_);
+			intersections_.emplace(mesh_, options.roundedToFloat);
 	}
 
 	LocalMethodReport run(Positions& positions, const Progress& progress) {

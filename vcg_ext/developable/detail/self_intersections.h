@@ -14,8 +14,10 @@ namespace developable::detail {
 /// that they are at, which is spatial.
 class SelfIntersections {
 public:
-	explicit SelfIntersections(const LocalMesh& mesh)
-		: mesh_(mesh), triangles_(mesh.corners.size(), -1), copies_(3, mesh.corners.size() / 3) {
+	/// \param roundedToFloat  look at positions as a mesh in float holds them
+	SelfIntersections(const LocalMesh& mesh, bool roundedToFloat)
+		: mesh_(mesh), roundedToFloat_(roundedToFloat), triangles_(mesh.corners.size(), -1),
+		  copies_(3, mesh.corners.size() / 3) {
 		int count = 0;
 		for (int copy = 0; copy < mesh.copyCount(); ++copy)
 			for (int i = mesh.copies[copy].firstCorner; i < mesh.copies[copy + 1].firstCorner; ++i) {
@@ -68,11 +70,15 @@ private:
 		starPlaces_.clear();
 		star_.resize(3, 3 * moved_.size());
 		const auto add = [&](int copy) {
-			star_.col(starPlaces_.size()) = mesh_.copies[copy].position;
+			star_.col(starPlaces_.size()) = seen(mesh_.copies[copy].position);
 			starPlaces_.push_back(mesh_.copies[copy].place);
 		};
 		add(mesh_.places[place].firstCopy); // first: it is inside, and so on the wrong side of most planes
 		mesh_.forEachNeighbour(place, add);
+	}
+
+	Eigen::Vector3d seen(const Eigen::Vector3d& position) const {
+		return roundedToFloat_ ? position.cast<float>().cast<double>() : position;
 	}
 
 	PlacedTriangle triangle(int index, bool atStart = false) const {
@@ -81,7 +87,7 @@ private:
 		for (int corner = 0; corner < 3; ++corner) {
 			const LocalMesh::Copy& copy = mesh_.copies[copies_(corner, index)];
 			places[corner] = copy.place;
-			corners.col(corner) = atStart ? mesh_.places[copy.place].start : copy.position;
+			corners.col(corner) = seen(atStart ? mesh_.places[copy.place].start : copy.position);
 		}
 		return {places, corners};
 	}
@@ -89,6 +95,7 @@ private:
 	bool intersectedAtStart(int a, int b) const { return intersect(triangle(a, true), triangle(b, true)); }
 
 	const LocalMesh& mesh_;
+	bool roundedToFloat_;
 	std::vector<int> triangles_;  // per corner
 	Eigen::Matrix3Xi copies_;     // of the triangles
 	std::optional<BoxTree> tree_; // of the triangles
