@@ -8,6 +8,7 @@ namespace developable::detail {
 inline void prefetch([[maybe_unused]] const void* address) {
 #if defined(__GNUC__)
 	__builtin_prefetch(address);
+	asm volatile(""); // GCC leaves out calls of functions that do nothing but prefetch
 #endif
 }
 
