@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // local_method_bench.cpp: what an operation of the local method costs, at growing sizes.
 //
-// Prints one line a size: vertices, nanoseconds an operation, the same when self-intersections are avoided.
+// Prints one line a size: vertices, nanoseconds an operation, the same when self-intersections are avoided,
+// and the seconds of the whole run, without and with that.
 #include "developable/local_method.h"
 #include "support/processor_time.h"
 #include "support/shapes.h"
@@ -12,9 +13,13 @@ namespace {
 
 using namespace developable;
 
-/// Nanoseconds an operation, with what is done once before the first taken off. Two visits a vertex: nearly
-/// all of them move it, at every size.
-double nanosecondsAnOperation(const PatchAssembly& assembly, bool avoidSelfIntersections) {
+struct Cost {
+	double operation; ///< ns, with what is done once before the first taken off
+	double run;       ///< s
+};
+
+/// Two visits a vertex: nearly all of them move it, at every size.
+Cost cost(const PatchAssembly& assembly, bool avoidSelfIntersections) {
 	LocalMethodOptions options;
 	options.angleTolerance = 0;
 	options.avoidSelfIntersections = avoidSelfIntersections;
@@ -29,7 +34,7 @@ double nanosecondsAnOperation(const PatchAssembly& assembly, bool avoidSelfInter
 	};
 	const double before = seconds(1);
 	const double whole = seconds(2L * assembly.placeCount());
-	return 1e9 * (whole - before) / static_cast<double>(operations);
+	return {1e9 * (whole - before) / static_cast<double>(operations), whole};
 }
 
 } // namespace
@@ -42,8 +47,9 @@ int main() {
 		for (double& coordinate : mesh.positions.reshaped())
 			coordinate += 0.02 / side * (2.0 * random() / std::mt19937::max() - 1);
 		const PatchAssembly assembly = assemblePatches(mesh, {});
-		std::printf("%d %.0f %.0f\n", mesh.vertexCount(), nanosecondsAnOperation(assembly, false),
-					nanosecondsAnOperation(assembly, true));
+		const Cost plain = cost(assembly, false), avoiding = cost(assembly, true);
+		std::printf("%d %.0f %.0f %g %g\n", mesh.vertexCount(), plain.operation, avoiding.operation,
+					plain.run, avoiding.run);
 		std::fflush(stdout);
 	}
 }
