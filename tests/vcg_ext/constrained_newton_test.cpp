@@ -139,10 +139,14 @@ TEST(ConstrainedNewton, EndsAtTheLeastSquaresWhereHeldPlacesAreInTheWay) {
 	EXPECT_LT(slope(positions), 1e-4 * slope(assembly.originalPositions));
 }
 
+/// A sphere with a hole of four triangles.
+TriangleMesh jar() {
+	const TriangleMesh mesh = sphere(1, 3);
+	return makeMesh(mesh.positions, mesh.triangles.rightCols(mesh.triangleCount() - 4));
+}
+
 TEST(ConstrainedNewton, SaysThatAShapeWithAShortRimNeedsACut) {
-	TriangleMesh mesh = sphere(1, 3);
-	mesh.triangles = mesh.triangles.rightCols(mesh.triangleCount() - 4).eval(); // a hole of four triangles
-	expectNeedsCut(assembled(makeMesh(mesh.positions, mesh.triangles)));
+	expectNeedsCut(assembled(jar()));
 }
 
 TEST(ConstrainedNewton, MovesMoreAndBendsLessWithMoreSmoothness) {
@@ -184,6 +188,47 @@ TEST(ConstrainedNewton, EndsAtItsLimitOfIterations) {
 	EXPECT_EQ(report.iterations, 3);
 	EXPECT_LT(measure(assembly, positions, 1e-4).totalAbsoluteCurvature,
 			  measure(assembly, assembly.originalPositions, 1e-4).totalAbsoluteCurvature);
+}
+
+/// A sheet raised so far that it can't lie flat without a cut where its edges are sewn to others.
+Eigen::Vector3d bubble(double u, double v) {
+	return {u, v, 3 * std::sin(pi * u) * std::sin(pi * v)};
+}
+
+/// A sheet beside it, with a ridge that ends at the common edge.
+Eigen::Vector3d besideBubble(double u, double v) {
+	const double distance = (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5);
+	return {1 + u, v, 0.15 * u * std::exp(-20 * distance)};
+}
+
+/// Only the first patch ends with curvature; the others are as developable as without it.
+void expectOnlyFirstNeedsCut(const PatchAssembly& assembly) {
+	Positions positions = assembly.originalPositions;
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+	const Measures before = measure(assembly, assembly.originalPositions, 1e-4),
+				   after = measure(assembly, positions, 1e-4);
+	EXPECT_EQ(report.status, Status::NeedsCut);
+	EXPECT_EQ(report.worstPatch, 0);
+	EXPECT_NE(report.reason.find("in 1 of " + std::to_string(assembly.patchCount()) + " patches"),
+			  std::string::npos)
+		<< report.reason;
+	for (int patch = 1; patch < assembly.patchCount(); ++patch)
+		EXPECT_LE(report.patchCurvature[patch], 1e-4);
+	EXPECT_LT(after.detectFunction, before.detectFunction);
+	EXPECT_LT(after.totalAbsoluteCurvature, before.totalAbsoluteCurvature);
+	expectSound(assembly, positions);
+}
+
+TEST(ConstrainedNewton, FinishesPatchesBesideOneThatNeedsACut) {
+	const auto apart = [](double u, double v) -> Eigen::Vector3d {
+		return wave(u, v) + Eigen::Vector3d(0, 5, 0);
+	};
+	expectOnlyFirstNeedsCut(
+		assembled(together(together(jar(), jitteredGrid(15, 15, apart)), jitteredGrid(31, 31, vamp))));
+	// Sewn to it, coarse enough to leave the seam to the others and so fine that they have to hold it.
+	for (const int columns : {15, 31})
+		expectOnlyFirstNeedsCut(assembled(
+			together(jitteredGrid(columns, columns, bubble), jitteredGrid(columns, columns, besideBubble))));
 }
 
 TEST(ConstrainedNewton, MayTakeNoStepAtAll) {

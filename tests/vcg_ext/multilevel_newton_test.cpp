@@ -26,14 +26,14 @@ int eulerCharacteristic(const PatchAssembly& assembly) {
 TEST(Coarsening, KeepsTopologySeamsAndPositions) {
 	for (const PatchAssembly& fine : {sewnPatches(31), assembled(jitteredGrid(41, 41, steepBump)),
 									  assembled(withTwoHoles(41, bumpedCylinder))}) {
-		const detail::CoarseAssembly coarse = detail::Coarsening(fine).coarsen(fine.placeCount() / 4);
+		const detail::PartialAssembly coarse = detail::Coarsening(fine).coarsen(fine.placeCount() / 4);
 		EXPECT_EQ(coarse.assembly.placeCount(), fine.placeCount() / 4);
 		EXPECT_EQ(coarse.assembly.patchCount(), fine.patchCount());
 		EXPECT_EQ(eulerCharacteristic(coarse.assembly), eulerCharacteristic(fine));
 		EXPECT_EQ(coarse.assembly.originalPositions,
-				  fine.originalPositions(Eigen::all, coarse.finePlace).eval());
+				  fine.originalPositions(Eigen::all, coarse.wholePlace).eval());
 		for (int place = 0; place < coarse.assembly.placeCount(); ++place)
-			EXPECT_EQ(coarse.assembly.placeAssembling[place], fine.placeAssembling[coarse.finePlace[place]]);
+			EXPECT_EQ(coarse.assembly.placeAssembling[place], fine.placeAssembling[coarse.wholePlace[place]]);
 		for (const auto& places : coarse.assembly.trianglePlaces.colwise())
 			EXPECT_TRUE(places[0] != places[1] && places[1] != places[2] && places[2] != places[0]);
 		EXPECT_GT(smallestAngle(coarse.assembly, coarse.assembly.originalPositions), 7 * pi / 180);
@@ -43,7 +43,7 @@ TEST(Coarsening, KeepsTopologySeamsAndPositions) {
 
 TEST(Coarsening, KeepsCornersAndAllOfTheAreaOfASheet) {
 	const PatchAssembly sheet = assembled(jitteredGrid(41, 41, flatSheet));
-	const detail::CoarseAssembly coarse = detail::Coarsening(sheet).coarsen(100);
+	const detail::PartialAssembly coarse = detail::Coarsening(sheet).coarsen(100);
 	EXPECT_NEAR(copyAreas(coarse.assembly, coarse.assembly.originalPositions).sum(), 1, 1e-12);
 }
 
@@ -54,11 +54,11 @@ TEST(Coarsening, TakesHeldPlacesOutOnlyFromAmongHeldOnes) {
 	PatchOptions options;
 	options.fixSelected = true;
 	const PatchAssembly fine = assembled(mesh, options);
-	const detail::CoarseAssembly coarse = detail::Coarsening(fine).coarsen(500);
+	const detail::PartialAssembly coarse = detail::Coarsening(fine).coarsen(500);
 	std::vector<char> kept(fine.placeCount(), 0);
 	for (int place = 0; place < coarse.assembly.placeCount(); ++place) {
-		kept[coarse.finePlace[place]] = 1;
-		EXPECT_EQ(coarse.assembly.placeFixed[place], fine.placeFixed[coarse.finePlace[place]]);
+		kept[coarse.wholePlace[place]] = 1;
+		EXPECT_EQ(coarse.assembly.placeFixed[place], fine.placeFixed[coarse.wholePlace[place]]);
 	}
 	int rimKept = 0, innerKept = 0;
 	for (int row = 0; row < 41; ++row) {
@@ -71,18 +71,18 @@ TEST(Coarsening, TakesHeldPlacesOutOnlyFromAmongHeldOnes) {
 
 TEST(Prolongation, KeepsAffineDisplacements) {
 	const PatchAssembly fine = sewnPatches(31);
-	const detail::CoarseAssembly coarse = detail::Coarsening(fine).coarsen(500);
+	const detail::PartialAssembly coarse = detail::Coarsening(fine).coarsen(500);
 	Eigen::Matrix3d slope;
 	slope << 0.3, -0.2, 1, 0.5, 0.1, 0.4, -0.7, 0.2, 0.6;
 	const Positions expected = slope * fine.originalPositions;
-	const Positions result = detail::prolonged(fine, coarse, expected(Eigen::all, coarse.finePlace).eval());
+	const Positions result = detail::prolonged(fine, coarse, expected(Eigen::all, coarse.wholePlace).eval());
 	EXPECT_LT((result - expected).cwiseAbs().maxCoeff(),
 			  0.02); // of 1: the surface is curved, so not quite free
 	const PatchAssembly sheet = assembled(jitteredGrid(31, 31, flatSheet));
-	const detail::CoarseAssembly coarseSheet = detail::Coarsening(sheet).coarsen(300);
+	const detail::PartialAssembly coarseSheet = detail::Coarsening(sheet).coarsen(300);
 	const Positions affine = slope * sheet.originalPositions;
 	EXPECT_LT(
-		(detail::prolonged(sheet, coarseSheet, affine(Eigen::all, coarseSheet.finePlace).eval()) - affine)
+		(detail::prolonged(sheet, coarseSheet, affine(Eigen::all, coarseSheet.wholePlace).eval()) - affine)
 			.cwiseAbs()
 			.maxCoeff(),
 		1e-4);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "assemble_patches.h"
-#include "detail/multilevel_newton.h"
+#include "detail/resting_patches.h"
 
 namespace developable {
 
@@ -45,12 +45,9 @@ inline void requireValid(const ConstrainedNewtonOptions& options) {
 /// What of the report is read off the shape.
 inline void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
 						  ConstrainedNewtonReport& report) {
-	report.patchCurvature.assign(assembly.patchCount(), 0);
-	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		report.patchCurvature[assembly.patchOfCopy[copy]] += std::abs(defects[copy]);
-	report.worstPatch =
-		static_cast<int>(std::max_element(report.patchCurvature.begin(), report.patchCurvature.end()) -
-						 report.patchCurvature.begin());
+	const Eigen::ArrayXd curvatures = patchCurvatures(assembly, defects);
+	report.patchCurvature.assign(curvatures.begin(), curvatures.end());
+	curvatures.maxCoeff(&report.worstPatch);
 	double worst = -1;
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
 		if (assembly.patchOfCopy[copy] == report.worstPatch && std::abs(defects[copy]) > worst) {
@@ -59,16 +56,27 @@ inline void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& 
 		}
 }
 
+/// How many patches need a cut, and where.
+inline std::string describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
+									 const CurvatureGoal& goal, const ConstrainedNewtonReport& report) {
+	const auto unmet = goal.unmetPatches(assembly, angleDefects(assembly, positions));
+	const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
+	char text[160];
+	std::snprintf(text, sizeof text, " in %d of %d patches, first of all at (%.4g, %.4g, %.4g)",
+				  static_cast<int>(unmet.count()), assembly.patchCount(), at[0], at[1], at[2]);
+	return describe(Status::NeedsCut) + text;
+}
+
 } // namespace detail
 
 /// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
 /// most the curvature tolerance and no angle defect above the angle tolerance. No triangle is flipped and
 /// none becomes a sliver (see detail::Soundness). Where the smoothness asked for leads nowhere, patches are
-/// tried again with 4, 16 and 64 times as much.
+/// tried again with 4, 16 and 64 times as much; patches that need a cut do not hold up the others.
 ///
 /// \param positions  3 x places: where to start, and the result; untouched when stopped. Distance is measured
 ///                   from the assembly's original positions.
-/// \return           Converged; NothingToDo; NeedsCut: no developable shape was found near the original;
+/// \return           Converged; NothingToDo; NeedsCut: some patches have no developable shape near;
 ///                   Stalled: places that are held still stand in the way; LimitReached; Stopped. When not
 ///                   converged, the result is the soundest near shape found, with less G than at the start.
 /// \throws ClosedPatch, NothingFree, InvalidParameter
@@ -80,28 +88,30 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 	requireFreePlaces(assembly);
 	const detail::CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance};
 	ConstrainedNewtonReport report;
-	Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(assembly.patchCount(), options.smoothness);
-	Eigen::VectorXd defects = angleDefects(assembly, positions);
+	const Eigen::VectorXd defects = angleDefects(assembly, positions);
 	if (!goal.unmetPatches(assembly, defects).any()) {
 		detail::describeShape(assembly, defects, report);
 		return report;
 	}
-	const double curvatureBefore = defects.cwiseAbs().sum(), detectBefore = detectFunction(defects);
-	const detail::NewtonOutcome outcome =
-		detail::MultilevelNewton(options.smoothness, goal, options.maxIterations, options.memoryLimit)
-			.solve(assembly, positions, progress);
+	const detail::MultilevelNewton solver(options.smoothness, goal, options.maxIterations,
+										  options.memoryLimit);
+	detail::NewtonOutcome outcome = solver.solve(assembly, positions, progress);
+	if (outcome.status != Status::Stopped &&
+		!detail::better(assembly, angleDefects(assembly, outcome.positions), defects))
+		outcome.positions = positions;
+	if (outcome.status == Status::Stalled && !detail::holdsPlaces(assembly)) {
+		outcome.status = Status::NeedsCut;
+		outcome = detail::RestingPatches(assembly, positions, solver, goal, progress).finishOthers(outcome);
+	}
 	report.status = outcome.status;
 	report.iterations = outcome.iterations;
 	report.smoothness = outcome.smoothness;
 	if (outcome.status == Status::Stopped)
 		return report;
-	defects = angleDefects(assembly, outcome.positions);
-	if (detail::better(assembly, defects, detectBefore, curvatureBefore))
-		positions = outcome.positions;
-	defects = angleDefects(assembly, positions);
-	detail::describeShape(assembly, defects, report);
-	if (report.status == Status::Stalled && !detail::holdsPlaces(assembly))
-		report.status = Status::NeedsCut;
+	positions = outcome.positions;
+	detail::describeShape(assembly, angleDefects(assembly, positions), report);
+	if (report.status == Status::NeedsCut)
+		report.reason = detail::describeNeedOfCut(assembly, positions, goal, report);
 	return report;
 }
 

@@ -2,17 +2,9 @@
 // coarsening.h: the same patches with fewer vertices, for methods that work from coarse to fine.
 #pragma once
 
-#include "../assemble_patches.h"
-
-#include <numeric>
+#include "partial_assembly.h"
 
 namespace developable::detail {
-
-/// A coarser assembly, whose places are some of the finer one's.
-struct CoarseAssembly {
-	PatchAssembly assembly;
-	std::vector<int> finePlace; ///< per coarse place
-};
 
 /// Takes places out by collapsing each into a neighbour, as independent sets (no two of one sweep are
 /// neighbours; Dobkin and Kirkpatrick 1985, Lee et al. 1998). An inner place goes into the neighbour that
@@ -36,13 +28,13 @@ public:
 	}
 
 	/// Sweeps until so many places are left, or no more can go.
-	CoarseAssembly coarsen(int placesWanted) {
+	PartialAssembly coarsen(int placesWanted) {
 		int before = 0;
 		do {
 			before = placeCount_;
 			sweep(placesWanted);
 		} while (placeCount_ > placesWanted && placeCount_ < 0.97 * before);
-		return assemble();
+		return partialAssembly(assembly_, trianglesWhere(triangles_, [&](int t) { return alive_[t]; }));
 	}
 
 private:
@@ -250,42 +242,6 @@ private:
 	int otherCurveNeighbour(int place, int neighbour) const {
 		const auto [a, b] = curveNeighbours_[place];
 		return a == neighbour ? b : a;
-	}
-
-	CoarseAssembly assemble() const {
-		std::vector<int> vertexOfCopy(assembly_.copyCount(), -1), kept, copyOfVertex;
-		for (int t = 0; t < assembly_.triangleCount(); ++t)
-			if (alive_[t])
-				kept.push_back(t);
-		TriangleMesh mesh;
-		mesh.triangles.resize(3, kept.size());
-		for (std::size_t i = 0; i < kept.size(); ++i)
-			for (int corner = 0; corner < 3; ++corner) {
-				int& vertex = vertexOfCopy[triangles_(corner, kept[i])];
-				if (vertex < 0) {
-					vertex = static_cast<int>(copyOfVertex.size());
-					copyOfVertex.push_back(triangles_(corner, kept[i]));
-				}
-				mesh.triangles(corner, i) = vertex;
-			}
-		mesh.positions.resize(3, copyOfVertex.size());
-		mesh.vertexSelected.resize(copyOfVertex.size());
-		for (std::size_t vertex = 0; vertex < copyOfVertex.size(); ++vertex) {
-			mesh.positions.col(vertex) = position(copyOfVertex[vertex]);
-			mesh.vertexSelected[vertex] = assembly_.placeFixed[assembly_.placeOfCopy[copyOfVertex[vertex]]];
-		}
-		mesh.triangleSelected.assign(kept.size(), 0);
-		mesh.face.resize(kept.size());
-		std::iota(mesh.face.begin(), mesh.face.end(), 0);
-		mesh.leastHeightRatio = assembly_.leastHeightRatio;
-		PatchOptions options;
-		options.fixSelected = true;
-		CoarseAssembly result{assemblePatches(mesh, options), {}};
-		result.finePlace.resize(result.assembly.placeCount());
-		for (std::size_t vertex = 0; vertex < copyOfVertex.size(); ++vertex)
-			result.finePlace[result.assembly.placeOfVertex[vertex]] =
-				assembly_.placeOfCopy[copyOfVertex[vertex]];
-		return result;
 	}
 
 	const PatchAssembly& assembly_;

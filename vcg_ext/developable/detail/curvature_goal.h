@@ -11,6 +11,14 @@
 
 namespace developable::detail {
 
+/// C of each patch, rad.
+inline Eigen::ArrayXd patchCurvatures(const PatchAssembly& assembly, const Eigen::VectorXd& defects) {
+	Eigen::ArrayXd curvatures = Eigen::ArrayXd::Zero(assembly.patchCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		curvatures[assembly.patchOfCopy[copy]] += std::abs(defects[copy]);
+	return curvatures;
+}
+
 /// When a patch counts as developable.
 struct CurvatureGoal {
 	double curvatureTolerance, angleTolerance;
@@ -18,13 +26,12 @@ struct CurvatureGoal {
 	/// Per patch, whether it is not there yet.
 	Eigen::Array<bool, Eigen::Dynamic, 1> unmetPatches(const PatchAssembly& assembly,
 													   const Eigen::VectorXd& defects) const {
-		Eigen::ArrayXd curvature = Eigen::ArrayXd::Zero(assembly.patchCount()), greatest = curvature;
+		Eigen::ArrayXd greatest = Eigen::ArrayXd::Zero(assembly.patchCount());
 		for (int copy = 0; copy < assembly.copyCount(); ++copy) {
-			const int patch = assembly.patchOfCopy[copy];
-			curvature[patch] += std::abs(defects[copy]);
-			greatest[patch] = std::max(greatest[patch], std::abs(defects[copy]));
+			double& ofPatch = greatest[assembly.patchOfCopy[copy]];
+			ofPatch = std::max(ofPatch, std::abs(defects[copy]));
 		}
-		return !(curvature <= curvatureTolerance && greatest <= angleTolerance);
+		return !(patchCurvatures(assembly, defects) <= curvatureTolerance && greatest <= angleTolerance);
 	}
 
 	/// How far the curvature has come on its way down to the tolerance, 0 to 1: each tenth of it counts
@@ -45,12 +52,12 @@ inline bool holdsPlaces(const PatchAssembly& assembly) {
 	return std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
 }
 
-/// Whether a shape is better than another: less G, and less C too unless places are held, for then the goal
-/// is the least squares of g.
-inline bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, double otherDetectFunction,
-				   double otherCurvature) {
-	return detectFunction(defects) < otherDetectFunction &&
-		   (holdsPlaces(assembly) || defects.cwiseAbs().sum() < otherCurvature);
+/// Whether a shape is better than another: less than a share of its G, and less C too unless places are held,
+/// for then the goal is the least squares of g.
+inline bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
+				   const Eigen::VectorXd& others, double share = 1) {
+	return detectFunction(defects) < share * detectFunction(others) &&
+		   (holdsPlaces(assembly) || defects.cwiseAbs().sum() < others.cwiseAbs().sum());
 }
 
 /// How far the farthest place is from where it was.

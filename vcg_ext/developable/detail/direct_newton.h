@@ -12,9 +12,7 @@ namespace developable::detail {
 inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Positions& start, double smoothness,
 								   const CurvatureGoal& goal, int maxIterations, const Progress& progress) {
 	Eigen::VectorXd smoothnesses = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness);
-	Eigen::VectorXd defects = angleDefects(assembly, start);
-	const double curvatureBefore = defects.cwiseAbs().sum();
-	double least = detectFunction(defects);
+	Eigen::VectorXd leastDefects = angleDefects(assembly, start);
 	NewtonOutcome best;
 	best.positions = start;
 	for (int attempt = 0; attempt < 4; ++attempt) {
@@ -24,10 +22,10 @@ inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Position
 		best.status = outcome.status;
 		if (outcome.status == Status::Stopped)
 			break;
-		defects = angleDefects(assembly, outcome.positions);
+		const Eigen::VectorXd defects = angleDefects(assembly, outcome.positions);
 		// A little less curvature is not worth the greater distance of a second attempt.
-		if (better(assembly, defects, (attempt == 0 ? 1 : 0.1) * least, curvatureBefore)) {
-			least = detectFunction(defects);
+		if (better(assembly, defects, leastDefects, attempt == 0 ? 1 : 0.1)) {
+			leastDefects = defects;
 			best.positions = outcome.positions;
 			best.smoothness = smoothnesses.maxCoeff();
 		}

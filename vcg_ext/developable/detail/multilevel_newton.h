@@ -24,12 +24,12 @@ public:
 						const Progress& progress) const {
 		if (assembly.placeCount() <= coarsest)
 			return solveCoarsest(assembly, start, progress);
-		const CoarseAssembly coarse =
+		const PartialAssembly coarse =
 			Coarsening(assembly).coarsen(std::max(coarsest, assembly.placeCount() / ratio));
 		if (coarse.assembly.placeCount() > leastReduction * assembly.placeCount())
 			return solveCoarsest(assembly, start, progress);
 		const Positions coarseStart = coarse.assembly.originalPositions +
-									  (start - assembly.originalPositions)(Eigen::all, coarse.finePlace);
+									  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
 		const auto begin = std::chrono::steady_clock::now();
 		NewtonOutcome coarseOutcome = solve(coarse.assembly, coarseStart, part(progress, 0, coarseShare, ""));
 		if (coarseOutcome.status == Status::Stopped)
@@ -66,7 +66,7 @@ private:
 		return outcome;
 	}
 
-	NewtonOutcome refine(const PatchAssembly& assembly, const CoarseAssembly& coarse,
+	NewtonOutcome refine(const PatchAssembly& assembly, const PartialAssembly& coarse,
 						 const NewtonOutcome& coarseOutcome, const Progress& progress) const {
 		const Positions displacement = prolonged(
 			assembly, coarse, coarseOutcome.positions - coarse.assembly.originalPositions, memoryLimit_);

@@ -14,7 +14,7 @@ namespace developable::detail {
 /// so waves shorter than some five coarse edges are left out: they belong to the coarse triangulation.
 /// \param memoryLimit  see SparseSolver
 /// \return             3 x fine places
-inline Positions prolonged(const PatchAssembly& fine, const CoarseAssembly& coarse,
+inline Positions prolonged(const PatchAssembly& fine, const PartialAssembly& coarse,
 						   const Positions& coarseDisplacement, double memoryLimit = 0) {
 	const int coarseCount = coarse.assembly.placeCount();
 	const Eigen::VectorXd coarseMasses = placeMasses(coarse.assembly);
@@ -22,8 +22,8 @@ inline Positions prolonged(const PatchAssembly& fine, const CoarseAssembly& coar
 	Eigen::VectorXd masses = 1e-6 * placeMasses(fine);
 	Eigen::MatrixX3d pull = Eigen::MatrixX3d::Zero(fine.placeCount(), 3);
 	for (int place = 0; place < coarseCount; ++place) {
-		masses[coarse.finePlace[place]] += coarseMasses[place];
-		pull.row(coarse.finePlace[place]) = coarseMasses[place] * coarseDisplacement.col(place).transpose();
+		masses[coarse.wholePlace[place]] += coarseMasses[place];
+		pull.row(coarse.wholePlace[place]) = coarseMasses[place] * coarseDisplacement.col(place).transpose();
 	}
 	const Eigen::VectorXd smoothness =
 		Eigen::VectorXd::Constant(fine.patchCount(), 0.3 / (double(coarseCount) * coarseCount));
