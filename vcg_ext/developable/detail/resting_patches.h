@@ -14,7 +14,7 @@ public:
 	/// \param start  of the whole run
 	RestingPatches(const PatchAssembly& assembly, const Positions& start, const MultilevelNewton& solver,
 				   const CurvatureGoal& goal, const Progress& progress)
-		: assembly_(assembly), start_(start), solver_(solver), goal_(goal), progress_(progress),
+		: assembly_(assembly), start_(start), solver_(solver), goal_(goal), progress_(ofOthers(progress)),
 		  soundness_(assembly), startDefects_(angleDefects(assembly, start)),
 		  atRest_(Patches::Constant(assembly.patchCount(), false)) {}
 
@@ -38,6 +38,15 @@ public:
 	}
 
 private:
+	/// The first run has been half of the work, as far as one can tell.
+	static Progress ofOthers(const Progress& progress) {
+		if (!progress)
+			return {};
+		return [progress](double fraction, const std::string& message) {
+			return progress(0.5 + fraction / 2, "without panels that need a cut: " + message);
+		};
+	}
+
 	using Patches = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
 	/// The patches that are not developable.
@@ -86,7 +95,7 @@ private:
 	const Positions& start_;
 	const MultilevelNewton& solver_;
 	const CurvatureGoal& goal_;
-	const Progress& progress_;
+	const Progress progress_;
 	const Soundness soundness_;
 	const Eigen::VectorXd startDefects_;
 	Patches atRest_;
