@@ -54,7 +54,7 @@ struct FanProduct {
 		const Number before = imaginary;
 		imaginary = real * sine + before * cosine;
 		real = real * cosine - before * sine;
-		turns += (before >= 0) & (imaginary < 0) ? Number{} + 1 : Number{};
+		turns += ((before >= 0) & (imaginary < 0)) ? every<Number>(1) : Number{};
 	}
 
 	/// 2π minus the sum, exact to rounding of the difference itself near 0.
