@@ -6,6 +6,7 @@
 // without AVX2, bytes of global and local
 #include "developable/local_method.h"
 #include "developable/penalty_method.h"
+#include "support/kernel_results.h"
 #include "support/processor_time.h"
 #include "support/shapes.h"
 
@@ -42,27 +43,6 @@ void writeOff(const char* path, const TriangleMesh& mesh) {
 	std::fclose(file);
 }
 
-/// Seconds of the same kernels as on a processor without AVX2.
-double narrowSeconds(const PatchAssembly& assembly, const Eigen::VectorXd& weights, int runs) {
-	using detail::TwoNumbers;
-	const double* positions = assembly.originalPositions.data();
-	const int *places = assembly.trianglePlaces.data(), triangles = assembly.triangleCount();
-	return test::leastSeconds(
-		[&] {
-			Eigen::Matrix3Xd cotangents(3, triangles);
-			Eigen::VectorXd defects(assembly.copyCount());
-			Positions gradient = Positions::Zero(3, assembly.placeCount());
-			detail::CotangentKernel{positions, places, triangles, cotangents.data()}.run<TwoNumbers>();
-			detail::FanKernel{cotangents.data(),    assembly.corners.data(),      assembly.cornerStart.data(),
-							  assembly.copyCount(), assembly.copyInterior.data(), defects.data()}
-				.run<TwoNumbers>();
-			detail::AngleGradientKernel{positions, places,         assembly.triangleCopies.data(),
-										triangles, weights.data(), gradient.data()}
-				.run<TwoNumbers>();
-		},
-		runs);
-}
-
 } // namespace
 
 int main(int count, char** arguments) {
@@ -83,7 +63,8 @@ int main(int count, char** arguments) {
 	Positions gradient;
 	const double gradientSeconds =
 		test::leastSeconds([&] { gradient = detectFunctionGradient(assembly, positions, defects); }, runs);
-	const double narrow = narrowSeconds(assembly, 2 * defects, runs);
+	const double narrow =
+		test::leastSeconds([&] { test::kernelResults<detail::TwoNumbers>(assembly); }, runs); // no AVX2
 
 	Positions moved = positions;
 	LocalMethodOptions localOptions;

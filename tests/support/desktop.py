@@ -14,7 +14,7 @@ import subprocess
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from PIL import Image
@@ -104,10 +104,10 @@ class Desktop:
                 os.killpg(process.pid, signal.SIGKILL)
             process.wait()
 
-    def _start(self, command: Sequence[str], **options: object) -> None:
+    def _start(self, command: Sequence[str], **options: Any) -> None:
         with (self.folder / f"{Path(command[0]).name}.log").open("wb") as log:
             self.processes.append(
-                subprocess.Popen(  # type: ignore[call-overload]
+                subprocess.Popen(
                     command,
                     stdout=log,
                     stderr=log,

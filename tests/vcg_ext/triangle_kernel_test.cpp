@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/detail/triangle_kernel.h"
 
-#include "developable/angle_defect.h"
-#include "developable/detail/fan_angles.h"
+#include "support/kernel_results.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -32,33 +31,6 @@ TEST(Argument, AgreesWithTheArctangentOfTheStandardLibraryAllRound) {
 	EXPECT_EQ(argument(-2.0, 0.0), pi);
 	EXPECT_EQ(argument(0.0, -3.0), -pi / 2);
 	EXPECT_TRUE(std::isnan(argument(0.0, 0.0)));
-}
-
-/// What all three kernels give for a shape, with one, two or four numbers at a time.
-struct KernelResults {
-	Eigen::Matrix3Xd cotangents;
-	Eigen::VectorXd defects;
-	Positions gradient;
-};
-
-template <class Number>
-KernelResults kernelResults(const PatchAssembly& assembly) {
-	const int *places = assembly.trianglePlaces.data(), triangles = assembly.triangleCount();
-	const double* positions = assembly.originalPositions.data();
-	KernelResults results{Eigen::Matrix3Xd(3, triangles), Eigen::VectorXd(assembly.copyCount()),
-						  Positions::Zero(3, assembly.placeCount())};
-	CotangentKernel{positions, places, triangles, results.cotangents.data()}.run<Number>();
-	FanKernel{results.cotangents.data(), assembly.corners.data(),      assembly.cornerStart.data(),
-			  assembly.copyCount(),      assembly.copyInterior.data(), results.defects.data()}
-		.run<Number>();
-	AngleGradientKernel{positions,
-						places,
-						assembly.triangleCopies.data(),
-						triangles,
-						results.defects.data(),
-						results.gradient.data()}
-		.run<Number>();
-	return results;
 }
 
 TEST(Kernels, GiveTheSameBitsForOneTwoAndFourNumbersAtATime) {

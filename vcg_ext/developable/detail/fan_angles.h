@@ -93,16 +93,10 @@ struct FanKernel {
 
 	template <class Number>
 	DEVELOPABLE_INLINE void run() const {
-		constexpr int groups = 32 / width<Number>;
-		int copy = 0;
-		for (; copy + groups * width<Number> <= copies; copy += groups * width<Number>)
-			some<Number, groups>(copy);
-		for (; copy < copies; ++copy)
-			write(copy, one(copy));
+		inBlocks<Number>(*this, copies);
 	}
 
-private:
-	/// Some groups of fans, each step for all of them: the processor overlaps what does not wait.
+	/// First the products of all groups, then their arguments.
 	template <class Number, int groups>
 	DEVELOPABLE_INLINE void some(int first) const {
 		FanProduct<Number> products[groups];
@@ -121,6 +115,7 @@ private:
 				write(copy, one(copy));
 	}
 
+private:
 	template <class Number>
 	DEVELOPABLE_INLINE FanProduct<Number> product(int first) const {
 		int least = degree(first), most = least;

@@ -41,7 +41,6 @@ template <class Number>
 struct TriangleEdges {
 	Vector<Number> u, v, w;
 
-	TriangleEdges() = default;
 	DEVELOPABLE_INLINE TriangleEdges(const Vector<Number>& u_, const Vector<Number>& v_)
 		: u(u_), v(v_), w(minus(v_, u_)) {}
 
@@ -163,16 +162,10 @@ struct AngleGradientKernel {
 
 	template <class Number>
 	DEVELOPABLE_INLINE void run() const {
-		constexpr int groups = 32 / width<Number>;
-		int t = 0;
-		for (; t + groups * width<Number> <= triangles; t += groups * width<Number>)
-			some<Number, groups>(t);
-		for (; t < triangles; ++t)
-			some<double, 1>(t);
+		inBlocks<Number>(*this, triangles);
 	}
 
-private:
-	/// First the gradients of all groups, then their sums: the processor overlaps what does not wait.
+	/// First the gradients of all groups, then their sums.
 	template <class Number, int groups>
 	DEVELOPABLE_INLINE void some(int first) const {
 		WeightedGradients<Number> gradients[groups];
@@ -187,6 +180,7 @@ private:
 			subtract(gradients[group], places + 3 * (first + group * width<Number>));
 	}
 
+private:
 	/// \param copy  of one of the first triangle's corners
 	template <class Number>
 	DEVELOPABLE_INLINE Number weight(const int* copy) const {

@@ -7,7 +7,7 @@
 
 /// What a kernel calls has to become part of it.
 #define DEVELOPABLE_INLINE inline __attribute__((always_inline))
-#if defined(__x86_64__) && !defined(DEVELOPABLE_WITHOUT_AVX2)
+#if defined(__x86_64__)
 #define DEVELOPABLE_HAS_AVX2 __builtin_cpu_supports("avx2")
 #define DEVELOPABLE_AVX2 __attribute__((target("avx2")))
 #else
@@ -38,6 +38,19 @@ void runWide(const Kernel kernel) {
 		runWithAvx2(kernel);
 	else
 		kernel.template run<TwoNumbers>();
+}
+
+/// Calls kernel.some<Number, groups>(first) for block after block of as many groups of Numbers, and for the
+/// rest one by one. What each step does for all groups of a block the processor overlaps, since no group
+/// waits for another.
+template <class Number, class Kernel>
+DEVELOPABLE_INLINE void inBlocks(const Kernel& kernel, int count) {
+	constexpr int groups = 32 / width<Number>;
+	int first = 0;
+	for (; first + groups * width<Number> <= count; first += groups * width<Number>)
+		kernel.template some<Number, groups>(first);
+	for (; first < count; ++first)
+		kernel.template some<double, 1>(first);
 }
 
 /// The numbers function(0), function(1), …
