@@ -1,145 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// eigen_blas.cpp: the few BLAS and LAPACK routines that CHOLMOD calls, by Eigen, under their Fortran names.
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
+// eigen_blas.cpp: the dense routines under their Fortran names, with the widest registers that there are.
+#include "eigen_routines.h"
 
 #include <complex>
 
 namespace {
 
-using Eigen::Index;
-
 template <class Scalar>
-using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-template <class Scalar>
-using Block = Eigen::Map<Dense<Scalar>, 0, Eigen::OuterStride<>>;
-template <class Scalar>
-using Vector = Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>, 0, Eigen::InnerStride<>>;
-
-/// Fortran's matrices are columns that lie `stride` numbers apart.
-template <class Scalar>
-Block<Scalar> block(const Scalar* data, Index rows, Index columns, int stride) {
-	return Block<Scalar>(const_cast<Scalar*>(data), rows, columns, Eigen::OuterStride<>(stride));
+const DenseRoutines<Scalar>& routines() {
+	return eigenRoutines<Scalar>;
 }
 
-bool plain(const char* operation) {
-	return *operation == 'N';
+#ifdef __x86_64__
+template <>
+const DenseRoutines<double>& routines<double>() {
+	static const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+	return wide ? routinesForAvx2 : eigenRoutines<double>;
 }
-
-template <class Target, class Product, class Scalar>
-void accumulate(Target&& target, const Product& product, Scalar alpha, Scalar beta) {
-	if (beta == Scalar(0))
-		target.setZero();
-	else if (beta != Scalar(1))
-		target *= beta;
-	target.noalias() += alpha * product;
-}
-
-template <class Scalar>
-void multiply(const char* transA, const char* transB, int m, int n, int k, Scalar alpha, const Scalar* a,
-			  int lda, const Scalar* b, int ldb, Scalar beta, Scalar* c, int ldc) {
-	auto target = block(c, m, n, ldc);
-	const auto left = plain(transA) ? block(a, m, k, lda) : block(a, k, m, lda);
-	const auto right = plain(transB) ? block(b, k, n, ldb) : block(b, n, k, ldb);
-	if (plain(transA) && plain(transB))
-		accumulate(target, left * right, alpha, beta);
-	else if (plain(transA))
-		accumulate(target, left * right.adjoint(), alpha, beta);
-	else if (plain(transB))
-		accumulate(target, left.adjoint() * right, alpha, beta);
-	else
-		accumulate(target, left.adjoint() * right.adjoint(), alpha, beta);
-}
-
-/// The lower triangle of C = α A Aᴴ + β C.
-template <class Scalar>
-void rankUpdate(int n, int k, double alpha, const Scalar* a, int lda, double beta, Scalar* c, int ldc) {
-	auto target = block(c, n, n, ldc);
-	if (beta == 0)
-		target.template triangularView<Eigen::Lower>().setZero();
-	else if (beta != 1)
-		target.template triangularView<Eigen::Lower>() *= Scalar(beta);
-	target.template selfadjointView<Eigen::Lower>().rankUpdate(block(a, n, k, lda), Scalar(alpha));
-}
-
-/// Of a lower triangle without unit diagonal, from the left or the right.
-template <class Scalar, class Target>
-void solveTriangular(bool fromLeft, bool plainOperation, const Block<Scalar>& matrix, Target&& target) {
-	const auto lower = matrix.template triangularView<Eigen::Lower>();
-	const auto upper = matrix.adjoint().template triangularView<Eigen::Upper>();
-	if (fromLeft && plainOperation)
-		lower.solveInPlace(target);
-	else if (fromLeft)
-		upper.solveInPlace(target);
-	else if (plainOperation)
-		lower.template solveInPlace<Eigen::OnTheRight>(target);
-	else
-		upper.template solveInPlace<Eigen::OnTheRight>(target);
-}
-
-template <class Scalar>
-void solveTriangular(const char* side, const char* trans, int m, int n, Scalar alpha, const Scalar* a,
-					 int lda, Scalar* b, int ldb) {
-	const int size = *side == 'L' ? m : n;
-	auto target = block(b, m, n, ldb);
-	if (alpha != Scalar(1))
-		target *= alpha;
-	solveTriangular<Scalar>(*side == 'L', plain(trans), block(a, size, size, lda), target);
-}
-
-template <class Scalar>
-void multiplyVector(const char* trans, int m, int n, Scalar alpha, const Scalar* a, int lda, const Scalar* x,
-					int incx, Scalar beta, Scalar* y, int incy) {
-	const auto matrix = block(a, m, n, lda);
-	const Vector<Scalar> from(const_cast<Scalar*>(x), plain(trans) ? n : m, Eigen::InnerStride<>(incx));
-	Vector<Scalar> to(y, plain(trans) ? m : n, Eigen::InnerStride<>(incy));
-	if (plain(trans))
-		accumulate(to, matrix * from, alpha, beta);
-	else
-		accumulate(to, matrix.adjoint() * from, alpha, beta);
-}
-
-template <class Scalar>
-void solveVector(const char* trans, int n, const Scalar* a, int lda, Scalar* x, int incx) {
-	Vector<Scalar> target(x, n, Eigen::InnerStride<>(incx));
-	solveTriangular<Scalar>(true, plain(trans), block(a, n, n, lda), target);
-}
-
-/// \return 0, or which leading minor is not positive definite, counted from 1
-template <class Scalar>
-int factorize(int n, Scalar* a, int lda) {
-	auto target = block(a, n, n, lda);
-	return static_cast<int>(Eigen::internal::llt_inplace<Scalar, Eigen::Lower>::blocked(target)) + 1;
-}
+#endif
 
 } // namespace
 
-// CHOLMOD calls for lower triangles without unit diagonals only, so `uplo` and `diag` need no reading.
 #define DEFINE_ROUTINES(Scalar, p, rankName)                                                                 \
 	void p##gemm_(const char* transA, const char* transB, const int* m, const int* n, const int* k,          \
 				  const Scalar* alpha, const Scalar* a, const int* lda, const Scalar* b, const int* ldb,     \
 				  const Scalar* beta, Scalar* c, const int* ldc) {                                           \
-		multiply(transA, transB, *m, *n, *k, *alpha, a, *lda, b, *ldb, *beta, c, *ldc);                      \
+		routines<Scalar>().multiply(transA, transB, *m, *n, *k, *alpha, a, *lda, b, *ldb, *beta, c, *ldc);   \
 	}                                                                                                        \
 	void rankName(const char*, const char*, const int* n, const int* k, const double* alpha,                 \
 				  const Scalar* a, const int* lda, const double* beta, Scalar* c, const int* ldc) {          \
-		rankUpdate(*n, *k, *alpha, a, *lda, *beta, c, *ldc);                                                 \
+		routines<Scalar>().rankUpdate(*n, *k, *alpha, a, *lda, *beta, c, *ldc);                              \
 	}                                                                                                        \
 	void p##trsm_(const char* side, const char*, const char* trans, const char*, const int* m, const int* n, \
 				  const Scalar* alpha, const Scalar* a, const int* lda, Scalar* b, const int* ldb) {         \
-		solveTriangular(side, trans, *m, *n, *alpha, a, *lda, b, *ldb);                                      \
+		routines<Scalar>().solveTriangular(side, trans, *m, *n, *alpha, a, *lda, b, *ldb);                   \
 	}                                                                                                        \
 	void p##gemv_(const char* trans, const int* m, const int* n, const Scalar* alpha, const Scalar* a,       \
 				  const int* lda, const Scalar* x, const int* incx, const Scalar* beta, Scalar* y,           \
 				  const int* incy) {                                                                         \
-		multiplyVector(trans, *m, *n, *alpha, a, *lda, x, *incx, *beta, y, *incy);                           \
+		routines<Scalar>().multiplyVector(trans, *m, *n, *alpha, a, *lda, x, *incx, *beta, y, *incy);        \
 	}                                                                                                        \
 	void p##trsv_(const char*, const char* trans, const char*, const int* n, const Scalar* a,                \
 				  const int* lda, Scalar* x, const int* incx) {                                              \
-		solveVector(trans, *n, a, *lda, x, *incx);                                                           \
+		routines<Scalar>().solveVector(trans, *n, a, *lda, x, *incx);                                        \
 	}                                                                                                        \
 	void p##potrf_(const char*, const int* n, Scalar* a, const int* lda, int* info) {                        \
-		*info = factorize(*n, a, *lda);                                                                      \
+		*info = routines<Scalar>().factorize(*n, a, *lda);                                                   \
 	}
 
 extern "C" {

@@ -88,6 +88,26 @@ TEST(Prolongation, KeepsAffineDisplacements) {
 		1e-4);
 }
 
+TEST(NormalSystem, IsTheProductThatItStandsFor) {
+	const PatchAssembly assembly = sewnPatches(12);
+	const detail::BendingMetric metric(assembly, Eigen::VectorXd::Constant(assembly.patchCount(), 1e-4));
+	detail::DefectJacobian jacobian(assembly, metric.placeMass());
+	detail::NormalSystem system(metric.matrix());
+	for (const double noise : {0.0, 0.01}) { // the second time with the pattern of the first
+		const Positions positions =
+			assembly.originalPositions + noise * Positions::Random(3, assembly.placeCount());
+		jacobian.linearize(positions);
+		const Positions normals = detail::placeNormals(assembly, positions);
+		const Eigen::MatrixXd along = jacobian.along(normals).toDense();
+		const Eigen::MatrixXd w = detail::SparseMatrix(metric.matrix().selfadjointView<Eigen::Lower>());
+		const Eigen::MatrixXd expected =
+			along.transpose() * along + 0.3 * w.cwiseProduct(normals.transpose() * normals);
+		const Eigen::MatrixXd found = system.fill(jacobian.along(normals), normals, 0.3).toDense();
+		const Eigen::MatrixXd lower = expected.triangularView<Eigen::Lower>();
+		EXPECT_LT((found - lower).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+	}
+}
+
 TEST(NormalSteps, TakeAwayCurvatureOfShortWaves) {
 	const PatchAssembly assembly = assembled(noisy(jitteredGrid(25, 25, quarterCylinder), 0.02));
 	const detail::CurvatureGoal goal{1e-4, 1e-4};

@@ -119,7 +119,7 @@ private:
 			if (iterations_ == maxIterations_)
 				return Status::LimitReached;
 			const double before = state_.scaled.squaredNorm();
-			multipliers_.setZero();
+			multipliers_.setZero(jacobian_.rowCount());
 			const double length = step(0, residualShare);
 			if (stopped_)
 				return Status::Stopped;

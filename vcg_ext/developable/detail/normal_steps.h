@@ -4,6 +4,7 @@
 
 #include "curvature_goal.h"
 #include "multiplier_solver.h"
+#include "normal_system.h"
 #include "soundness.h"
 #include "sparse_solver.h"
 #include "vertex_normals.h"
@@ -23,7 +24,7 @@ public:
 		: assembly_(assembly), goal_(goal), progress_(progress),
 		  metric_(assembly, Eigen::VectorXd::Constant(assembly.patchCount(), smoothness)),
 		  jacobian_(assembly, metric_.placeMass()), soundness_(std::move(soundness)),
-		  metricMatrix_(metric_.matrix().selfadjointView<Eigen::Lower>()), solver_(memoryLimit) {}
+		  system_(metric_.matrix()), solver_(memoryLimit) {}
 
 	/// \param farthest  how far from the original a place may go, length
 	NewtonOutcome run(const Positions& start, double farthest, int maxIterations) {
@@ -72,15 +73,9 @@ private:
 		jacobian_.linearize(positions_);
 		normals_ = placeNormals(assembly_, positions_);
 		along_ = jacobian_.along(normals_);
-		SparseMatrix system = along_.transpose() * along_;
-		SparseMatrix metric = metricMatrix_;
-		for (int place = 0; place < metric.outerSize(); ++place)
-			for (SparseMatrix::InnerIterator entry(metric, place); entry; ++entry)
-				entry.valueRef() *= normals_.col(entry.row()).dot(normals_.col(place));
-		if (epsilon_ == 0)
-			epsilon_ = firstShare * system.diagonal().sum() / metric.diagonal().sum();
-		system += epsilon_ * metric;
-		return solver_.factorize(SparseMatrix(system.triangularView<Eigen::Lower>()));
+		if (epsilon_ == 0) // normals are one long, so W and NᵀWN have the same trace
+			epsilon_ = firstShare * along_.squaredNorm() / metric_.matrix().diagonal().sum();
+		return solver_.factorize(system_.fill(along_, normals_, epsilon_));
 	}
 
 	/// A first step with line search, then chords: full steps with new right-hand sides, as long as each
@@ -123,7 +118,8 @@ private:
 	BendingMetric metric_;
 	DefectJacobian jacobian_;
 	Soundness soundness_;
-	SparseMatrix metricMatrix_, along_; // W; J N
+	NormalSystem system_;
+	SparseMatrix along_; // J N
 	SparseSolver solver_;
 	Positions positions_, normals_;
 	Eigen::VectorXd defects_, scaled_; // g, and as the Jacobian scales it
