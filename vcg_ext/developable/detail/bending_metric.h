@@ -108,10 +108,34 @@ class BendingMetric {
 public:
 	/// \param smoothness  α, per patch
 	BendingMetric(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness)
-		: placeMass_(placeMasses(assembly)), lower_(BendingMatrix(assembly, placeMass_, smoothness).lower()) {
+		: assembly_(assembly), placeMass_(placeMasses(assembly)),
+		  lower_(BendingMatrix(assembly, placeMass_, smoothness).lower()), diagonal_(lower_.diagonal()),
+		  stiffness_(Eigen::VectorXd::Zero(assembly.triangleCount())) {}
+
+	/// How often it may be made stiffer before a step, and which share of the triangles at the most: more are
+	/// no accidents of the triangulation, but the shape's own need of a cut.
+	static constexpr int stiffenings = 4;
+	static constexpr double mostStiff = 0.1;
+
+	/// Makes triangles move rather as one piece: adds Σ ρ_t |d_i − d_j|² over their edges, with ρ_t a tenth
+	/// of what moving a corner costs, and four times as much each time again. Calls for another
+	/// factorisation.
+	void stiffen(const std::vector<int>& triangles) {
+		for (const int triangle : triangles) {
+			const auto places = assembly_.trianglePlaces.col(triangle);
+			const double before = stiffness_[triangle];
+			stiffness_[triangle] = before > 0 ? 4 * before : 0.1 * diagonal_(places).maxCoeff();
+			for (int corner = 0; corner < 3; ++corner)
+				tie(places[corner], places[(corner + 1) % 3], stiffness_[triangle] - before);
+		}
 	}
 
-	/// Has to be called once before solve.
+	/// The share of the triangles that have been made stiffer.
+	double stiffShare() const {
+		return static_cast<double>((stiffness_.array() > 0).count()) / static_cast<double>(stiffness_.size());
+	}
+
+	/// Has to be called before solve.
 	void factorize() {
 		if (!factorization_.factorize(lower_))
 			throw DegenerateTriangle(
@@ -139,8 +163,25 @@ public:
 	}
 
 private:
+	/// Adds stiffness · |d_i − d_j|² for two places of a triangle. The matrix has entries for them where the
+	/// triangle has a neighbour.
+	void tie(int i, int j, double stiffness) {
+		if (assembly_.placeFixed[i] || assembly_.placeFixed[j])
+			return;
+		const int column = std::min(i, j), row = std::max(i, j);
+		for (SparseMatrix::InnerIterator entry(lower_, column); entry; ++entry)
+			if (entry.row() == row) {
+				entry.valueRef() -= stiffness;
+				lower_.coeffRef(i, i) += stiffness;
+				lower_.coeffRef(j, j) += stiffness;
+			}
+	}
+
+	const PatchAssembly& assembly_;
 	Eigen::VectorXd placeMass_;
 	SparseMatrix lower_;
+	Eigen::VectorXd diagonal_;  // of the matrix at first
+	Eigen::VectorXd stiffness_; // ρ, per triangle
 	SparseCholesky factorization_;
 };
 

@@ -71,6 +71,7 @@ struct NewtonOutcome {
 	int iterations = 0; ///< on this level
 	Positions positions;
 	double smoothness = 0; ///< the largest α that a patch was given
+	bool farOff = false;   ///< it led to a developable shape, but not to one near the original
 };
 
 /// What of the total absolute curvature is gone after some steps, in words.

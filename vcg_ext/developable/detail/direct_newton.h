@@ -6,17 +6,17 @@
 
 namespace developable::detail {
 
-/// Up to four attempts from the same start: patches that end where they are not developable are tried again
-/// with 4, 16 and 64 times the smoothness. \return the best shape that was found; the start when none is
-/// better
+/// Up to five attempts from the same start: where the first leads nowhere, triangles that are in the way are
+/// made stiffer; patches that end where they are not developable then are tried again with 4, 16 and 64 times
+/// the smoothness. \return the best shape that was found; the start when none is better
 inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Positions& start, double smoothness,
 								   const CurvatureGoal& goal, int maxIterations, const Progress& progress) {
 	Eigen::VectorXd smoothnesses = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness);
 	Eigen::VectorXd leastDefects = angleDefects(assembly, start);
 	NewtonOutcome best;
 	best.positions = start;
-	for (int attempt = 0; attempt < 4; ++attempt) {
-		NewtonAttempt run(assembly, smoothnesses, goal, progress);
+	for (int attempt = 0; attempt < 5; ++attempt) {
+		NewtonAttempt run(assembly, smoothnesses, attempt > 0, goal, progress);
 		const NewtonOutcome outcome = run.run(start, maxIterations - best.iterations);
 		best.iterations += outcome.iterations;
 		best.status = outcome.status;
@@ -29,9 +29,10 @@ inline NewtonOutcome solveDirectly(const PatchAssembly& assembly, const Position
 			best.positions = outcome.positions;
 			best.smoothness = smoothnesses.maxCoeff();
 		}
-		if (outcome.status != Status::Stalled)
+		if (outcome.status != Status::Stalled || outcome.farOff) // more smoothness leads farther still
 			break;
-		smoothnesses = goal.unmetPatches(assembly, defects).select(4 * smoothnesses, smoothnesses);
+		if (attempt > 0)
+			smoothnesses = goal.unmetPatches(assembly, defects).select(4 * smoothnesses, smoothnesses);
 	}
 	return best;
 }

@@ -85,7 +85,7 @@ private:
 		if (outcome.status == Status::Stalled && converged(coarseOutcome.status)) {
 			const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_);
 			const int steps = outcome.iterations;
-			outcome = NewtonAttempt(assembly, smoothness, goal_, progress)
+			outcome = NewtonAttempt(assembly, smoothness, true, goal_, progress)
 						  .landFrom(outcome.positions, maxIterations_ - steps);
 			outcome.iterations += steps;
 		}

@@ -16,10 +16,12 @@ namespace developable::detail {
 /// the *landing*, τ = 0, takes the shortest steps to g = 0, which converge quadratically.
 class NewtonAttempt {
 public:
-	NewtonAttempt(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness, const CurvatureGoal& goal,
-				  const Progress& progress)
-		: assembly_(assembly), goal_(goal), progress_(progress), metric_(assembly, smoothness),
-		  jacobian_(assembly, metric_.placeMass()), solver_(metric_, jacobian_), soundness_(assembly) {
+	/// \param stiffens  whether triangles that a step would spoil are made stiffer
+	NewtonAttempt(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness, bool stiffens,
+				  const CurvatureGoal& goal, const Progress& progress)
+		: assembly_(assembly), goal_(goal), stiffens_(stiffens), progress_(progress),
+		  metric_(assembly, smoothness), jacobian_(assembly, metric_.placeMass()),
+		  solver_(metric_, jacobian_), soundness_(assembly) {
 		metric_.factorize();
 	}
 
@@ -65,8 +67,8 @@ private:
 	NewtonOutcome outcome(Status status) const {
 		if (state_.reached &&
 			farthestDisplacement(assembly_, state_.positions) <= farthestShareReached * diagonal_)
-			return {status, iterations_, state_.positions, 0};
-		return {state_.reached ? Status::Stalled : status, iterations_, lastNear_, 0};
+			return {status, iterations_, state_.positions};
+		return {state_.reached ? Status::Stalled : status, iterations_, lastNear_, 0, state_.reached};
 	}
 
 	State stateAt(const Positions& positions) const {
@@ -95,11 +97,12 @@ private:
 			if (iterations_ == maxIterations_)
 				return Status::LimitReached;
 			const double before = merit(state_, 1), distanceBefore = state_.squaredDistance;
-			const double length = step(1, residualShare);
+			const double length = step(1);
 			if (stopped_)
 				return Status::Stopped;
-			if (length == 0)
+			if (length == 0 || metric_.stiffShare() > BendingMetric::mostStiff)
 				return Status::Stalled;
+			// Stiffer triangles make φ larger, so that ε falls the sooner.
 			const double decrease = 1 - merit(state_, 1) / before;
 			const bool settled = std::abs(state_.squaredDistance - distanceBefore) < 0.05 * distanceBefore;
 			if (state_.curvature < 0.03 * startCurvature_ && settled)
@@ -116,11 +119,13 @@ private:
 	/// Ends at g = 0, or where steps have stopped to make a difference.
 	Status land() {
 		for (int idle = 0; !state_.reached;) {
+			if (metric_.stiffShare() > BendingMetric::mostStiff)
+				return Status::Stalled;
 			if (iterations_ == maxIterations_)
 				return Status::LimitReached;
 			const double before = state_.scaled.squaredNorm();
 			multipliers_.setZero(jacobian_.rowCount());
-			const double length = step(0, residualShare);
+			const double length = step(0);
 			if (stopped_)
 				return Status::Stopped;
 			idle = state_.scaled.squaredNorm() > 0.99 * before ? idle + 1 : 0;
@@ -132,26 +137,46 @@ private:
 	}
 
 	/// One step. \return its length, 0 when none is any good
-	double step(double tau, double tolerance) {
+	double step(double tau) {
 		++iterations_;
 		jacobian_.linearize(state_.positions);
+		Positions direction = findDirection(tau);
+		for (int i = 0; stiffens_ && i < BendingMetric::stiffenings && !stopped_ && stiffen(direction); ++i)
+			direction = findDirection(tau);
+		return stopped_ ? 0 : search(direction, tau);
+	}
+
+	Positions findDirection(double tau) {
 		const Positions displacement = state_.positions - assembly_.originalPositions;
 		const Eigen::VectorXd rightHandSide = state_.scaled - tau * jacobian_.apply(displacement);
-		stopped_ =
-			!solver_.solve(rightHandSide, epsilon_, tolerance, multipliers_, [&] { return mayGoOnNow(); });
-		if (stopped_)
-			return 0;
-		const Positions direction =
-			-tau * displacement - metric_.solve(jacobian_.applyTransposed(multipliers_));
+		stopped_ = !solver_.solve(rightHandSide, epsilon_, residualShare, multipliers_,
+								  [&] { return mayGoOnNow(); });
+		return -tau * displacement - metric_.solve(jacobian_.applyTransposed(multipliers_));
+	}
+
+	/// Where the whole step would spoil triangles they are made stiffer. \return whether there are any
+	bool stiffen(const Positions& direction) {
+		const std::vector<int> spoilt = soundness_.spoiltTriangles(state_.positions + direction);
+		if (spoilt.empty())
+			return false;
+		metric_.stiffen(spoilt);
+		metric_.factorize();
+		state_.squaredDistance = metric_.squaredNorm(state_.positions - assembly_.originalPositions);
+		return true;
+	}
+
+	/// \return the length of the step along a direction, or 0
+	double search(const Positions& direction, double tau) {
+		const Positions displacement = state_.positions - assembly_.originalPositions;
 		const double slope = tau * metric_.apply(displacement).cwiseProduct(direction).sum() +
 							 jacobian_.apply(direction).dot(state_.scaled) / epsilon_;
 		const double before = merit(state_, tau);
 		double length = 1;
 		for (int halvings = 0; halvings < 10; ++halvings, length /= 2) {
-			const Positions candidate = state_.positions + length * direction;
-			if (!soundness_.holds(candidate))
+			Positions move = length * direction;
+			if (!soundness_.mend(state_.positions, move))
 				continue;
-			State next = stateAt(candidate);
+			State next = stateAt(state_.positions + move);
 			if (merit(next, tau) <= before + 1e-4 * length * slope && merit(next, tau) < before) {
 				moveTo(std::move(next));
 				return length;
@@ -167,6 +192,7 @@ private:
 
 	const PatchAssembly& assembly_;
 	const CurvatureGoal goal_;
+	const bool stiffens_;
 	const Progress& progress_;
 	BendingMetric metric_;
 	DefectJacobian jacobian_;

@@ -75,7 +75,23 @@ private:
 		along_ = jacobian_.along(normals_);
 		if (epsilon_ == 0) // normals are one long, so W and NᵀWN have the same trace
 			epsilon_ = firstShare * along_.squaredNorm() / metric_.matrix().diagonal().sum();
-		return solver_.factorize(system_.fill(along_, normals_, epsilon_));
+		bool done = solver_.factorize(system_.fill(along_, normals_, epsilon_));
+		for (int i = 0; i < BendingMetric::stiffenings && done && stiffen(); ++i)
+			done = solver_.factorize(system_.fill(along_, normals_, epsilon_));
+		return done;
+	}
+
+	/// Where the whole step would spoil triangles they are made stiffer. \return whether there are any
+	bool stiffen() {
+		if (metric_.stiffShare() > BendingMetric::mostStiff)
+			return false;
+		const std::vector<int> spoilt = soundness_.spoiltTriangles(positions_ + wholeStep());
+		metric_.stiffen(spoilt);
+		return !spoilt.empty();
+	}
+
+	Positions wholeStep() const {
+		return normals_ * solver_.solve(Eigen::VectorXd(-(along_.transpose() * scaled_))).asDiagonal();
 	}
 
 	/// A first step with line search, then chords: full steps with new right-hand sides, as long as each
@@ -91,12 +107,15 @@ private:
 	}
 
 	double tryStep(int lengths) {
-		const Eigen::VectorXd amount = solver_.solve(Eigen::VectorXd(-(along_.transpose() * scaled_)));
+		const Positions whole = wholeStep();
 		const double before = scaled_.squaredNorm();
 		double length = 1;
 		for (int i = 0; i < lengths; ++i, length /= 2) {
-			const Positions candidate = positions_ + normals_ * (length * amount).asDiagonal();
-			if (farthestDisplacement(assembly_, candidate) > farthest_ || !soundness_.holds(candidate) ||
+			Positions move = length * whole;
+			if (!soundness_.mend(positions_, move))
+				continue;
+			const Positions candidate = positions_ + move;
+			if (farthestDisplacement(assembly_, candidate) > farthest_ ||
 				!(jacobian_.scaled(angleDefects(assembly_, candidate)).squaredNorm() <
 				  (1 - 1e-4 * length) * before))
 				continue;

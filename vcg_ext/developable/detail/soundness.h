@@ -24,17 +24,45 @@ public:
 		}
 	}
 
-	bool holds(const Positions& positions) const {
-		if (!(cornerCotangents(assembly_, positions).maxCoeff<Eigen::PropagateNaN>() <= greatestCotangent_))
-			return false;
+	bool holds(const Positions& positions) const { return spoiltTriangles(positions).empty(); }
+
+	/// The triangles that are slivers, and every flipped one with its neighbour.
+	std::vector<int> spoiltTriangles(const Positions& positions) const {
+		std::vector<int> spoilt;
+		const Eigen::Matrix3Xd cotangents = cornerCotangents(assembly_, positions);
+		for (int t = 0; t < assembly_.triangleCount(); ++t)
+			if (!(cotangents.col(t).maxCoeff<Eigen::PropagateNaN>() <= greatestCotangent_))
+				spoilt.push_back(t);
 		const Eigen::Matrix3Xd normals = triangleNormals(assembly_, positions);
-		return std::all_of(hinges_.begin(), hinges_.end(), [&](const auto& hinge) {
-			return normals.col(hinge.first).dot(normals.col(hinge.second)) >= -0.5;
-		});
+		for (const auto& [first, second] : hinges_)
+			if (!(normals.col(first).dot(normals.col(second)) >= -0.5))
+				spoilt.insert(spoilt.end(), {first, second});
+		return spoilt;
+	}
+
+	/// Changes a move such that it leaves a sound shape sound: a triangle that it would spoil moves as one
+	/// piece, by the mean of what its corners would; what is held still stays so. \return whether that did
+	bool mend(const Positions& from, Positions& move) const {
+		for (int round = 0; round < mendingRounds; ++round) {
+			const std::vector<int> spoilt = spoiltTriangles(from + move);
+			if (spoilt.empty())
+				return true;
+			for (const int triangle : spoilt)
+				moveAsOne(assembly_.trianglePlaces.col(triangle), move);
+		}
+		return false;
 	}
 
 private:
+	static constexpr int mendingRounds = 20;
 	static constexpr double margin = 1.01; ///< for what rounding to the host's scalar may take away
+
+	void moveAsOne(const Eigen::Vector3i& places, Positions& move) const {
+		const Eigen::Vector3d mean = (move.col(places[0]) + move.col(places[1]) + move.col(places[2])) / 3;
+		for (const int place : places)
+			if (!assembly_.placeFixed[place])
+				move.col(place) = mean;
+	}
 
 	const PatchAssembly& assembly_;
 	double greatestCotangent_ = 0;
