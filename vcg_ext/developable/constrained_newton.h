@@ -71,8 +71,9 @@ inline std::string describeNeedOfCut(const PatchAssembly& assembly, const Positi
 
 /// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
 /// most the curvature tolerance and no angle defect above the angle tolerance. No triangle is flipped and
-/// none becomes a sliver (see detail::Soundness). Where the smoothness asked for leads nowhere, patches are
-/// tried again with 4, 16 and 64 times as much; patches that need a cut do not hold up the others.
+/// none becomes a sliver (see detail::Soundness). Where that leads nowhere, triangles that are in the way are
+/// made stiffer, and patches then tried again with 4, 16 and 64 times the smoothness; patches that need a cut
+/// do not hold up the others.
 ///
 /// \param positions  3 x places: where to start, and the result; untouched when stopped. Distance is measured
 ///                   from the assembly's original positions.
