@@ -5,6 +5,7 @@
 #include "support/newton_checks.h"
 
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace developable::test {
 namespace {
@@ -369,9 +370,13 @@ TEST(BendingMetric, MakesTrianglesMoveAsOnePiece) {
 		metric.stiffen({13});
 	}
 	EXPECT_LT(stretch, 1e-4);
-	EXPECT_DOUBLE_EQ(metric.stiffShare(), 1.0 / assembly.triangleCount());
 	const Positions together = Positions::Constant(3, assembly.placeCount(), 0.5);
 	EXPECT_NEAR(metric.squaredNorm(together), 0.75, 1e-9); // all at once moves as before
+	EXPECT_FALSE(metric.tooStiff());
+	std::vector<int> most(21);
+	std::iota(most.begin(), most.end(), 0);
+	metric.stiffen(most);
+	EXPECT_TRUE(metric.tooStiff());
 }
 
 TEST(Soundness, SeesFlipsAndSlivers) {

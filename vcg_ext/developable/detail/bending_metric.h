@@ -112,10 +112,8 @@ public:
 		  lower_(BendingMatrix(assembly, placeMass_, smoothness).lower()), diagonal_(lower_.diagonal()),
 		  stiffness_(Eigen::VectorXd::Zero(assembly.triangleCount())) {}
 
-	/// How often it may be made stiffer before a step, and which share of the triangles at the most: more are
-	/// no accidents of the triangulation, but the shape's own need of a cut.
+	/// How often it may be made stiffer before a step.
 	static constexpr int stiffenings = 4;
-	static constexpr double mostStiff = 0.1;
 
 	/// Makes triangles move rather as one piece: adds Σ ρ_t |d_i − d_j|² over their edges, with ρ_t a tenth
 	/// of what moving a corner costs, and four times as much each time again. Calls for another
@@ -130,9 +128,11 @@ public:
 		}
 	}
 
-	/// The share of the triangles that have been made stiffer.
-	double stiffShare() const {
-		return static_cast<double>((stiffness_.array() > 0).count()) / static_cast<double>(stiffness_.size());
+	/// Whether so many triangles are stiffer that they are no accidents of the triangulation: then the shape
+	/// itself needs a cut.
+	bool tooStiff() const {
+		const auto stiff = (stiffness_.array() > 0).count();
+		return stiff > std::max(20.0, 0.1 * static_cast<double>(stiffness_.size()));
 	}
 
 	/// Has to be called before solve.

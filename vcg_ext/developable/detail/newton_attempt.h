@@ -100,7 +100,7 @@ private:
 			const double length = step(1);
 			if (stopped_)
 				return Status::Stopped;
-			if (length == 0 || metric_.stiffShare() > BendingMetric::mostStiff)
+			if (length == 0 || metric_.tooStiff())
 				return Status::Stalled;
 			// Stiffer triangles make φ larger, so that ε falls the sooner.
 			const double decrease = 1 - merit(state_, 1) / before;
@@ -119,7 +119,7 @@ private:
 	/// Ends at g = 0, or where steps have stopped to make a difference.
 	Status land() {
 		for (int idle = 0; !state_.reached;) {
-			if (metric_.stiffShare() > BendingMetric::mostStiff)
+			if (metric_.tooStiff())
 				return Status::Stalled;
 			if (iterations_ == maxIterations_)
 				return Status::LimitReached;

@@ -83,7 +83,7 @@ private:
 
 	/// Where the whole step would spoil triangles they are made stiffer. \return whether there are any
 	bool stiffen() {
-		if (metric_.stiffShare() > BendingMetric::mostStiff)
+		if (metric_.tooStiff())
 			return false;
 		const std::vector<int> spoilt = soundness_.spoiltTriangles(positions_ + wholeStep());
 		metric_.stiffen(spoilt);
