@@ -56,9 +56,18 @@ private:
 			idle = share > 0.98 ? idle + 1 : 0;
 			if (idle == idleLimit)
 				return Status::Stalled;
-			epsilon_ *= share < 0.1 ? 0.1 : share < 0.5 ? 0.3 : length == 0 ? 16 : length < 0.3 ? 4 : 1;
+			epsilon_ *= epsilonFactor(share, length);
 		}
 		return Status::Converged;
+	}
+
+	/// Smaller after a full step, the more so the more it removed; larger where the step had to be cut short.
+	static double epsilonFactor(double shareLeft, double length) {
+		if (shareLeft < 0.5)
+			return shareLeft < 0.1 ? 0.1 : 0.3;
+		if (length == 0)
+			return 16;
+		return length == 1 ? 0.5 : length < 0.3 ? 4 : 1;
 	}
 
 	void moveTo(const Positions& positions) {
