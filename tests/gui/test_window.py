@@ -105,7 +105,7 @@ def test_closing_a_dialog_leaves_everything_as_it_was(meshlab):
     choose(dialog, *FILTERS["Global Developability"])
     dialog.click(0.25, 20)
     wait_for("the dialog to close", lambda: not host.desktop.windows("Global Developability"))
-    assert np.array_equal(host.view(), before)
+    wait_for("the view as it was", lambda: np.array_equal(host.view(), before))
     assert host.log() == log
 
 
