@@ -151,6 +151,8 @@ private:
 		const Eigen::VectorXd rightHandSide = state_.scaled - tau * jacobian_.apply(displacement);
 		stopped_ = !solver_.solve(rightHandSide, epsilon_, residualShare, multipliers_,
 								  [&] { return mayGoOnNow(); });
+		if (stopped_)
+			return {};
 		return -tau * displacement - metric_.solve(jacobian_.applyTransposed(multipliers_));
 	}
 

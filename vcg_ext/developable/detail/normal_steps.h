@@ -84,21 +84,24 @@ private:
 		along_ = jacobian_.along(normals_);
 		if (epsilon_ == 0) // normals are one long, so W and NᵀWN have the same trace
 			epsilon_ = firstShare * along_.squaredNorm() / metric_.matrix().diagonal().sum();
-		bool done = solver_.factorize(system_.fill(along_, normals_, epsilon_));
-		for (int i = 0; i < BendingMetric::stiffenings && done && stiffen(); ++i)
-			done = solver_.factorize(system_.fill(along_, normals_, epsilon_));
-		return done;
+		for (int i = 0; solver_.factorize(system_.fill(along_, normals_, epsilon_)); ++i) {
+			firstStep_ = wholeStep();
+			if (i == BendingMetric::stiffenings || !stiffen())
+				return true;
+		}
+		return false;
 	}
 
-	/// Where the whole step would spoil triangles they are made stiffer. \return whether there are any
+	/// Where the first step would spoil triangles they are made stiffer. \return whether there are any
 	bool stiffen() {
 		if (metric_.tooStiff())
 			return false;
-		const std::vector<int> spoilt = soundness_.spoiltTriangles(positions_ + wholeStep());
+		const std::vector<int> spoilt = soundness_.spoiltTriangles(positions_ + firstStep_);
 		metric_.stiffen(spoilt);
 		return !spoilt.empty();
 	}
 
+	/// From the present positions, with the system as it was factorised last.
 	Positions wholeStep() const {
 		return normals_ * solver_.solve(Eigen::VectorXd(-(along_.transpose() * scaled_))).asDiagonal();
 	}
@@ -106,17 +109,16 @@ private:
 	/// A first step with line search, then chords: full steps with new right-hand sides, as long as each
 	/// removes half of |g|². \return the first step's length, 0 when none was any good
 	double stepsWithOneFactorization() {
-		const double length = tryStep(8);
+		const double length = tryStep(firstStep_, 8);
 		for (int chord = 1; chord < chordLimit && length > 0 && !reached_ && mayGoOnNow(); ++chord) {
 			const double before = scaled_.squaredNorm();
-			if (tryStep(1) == 0 || scaled_.squaredNorm() > 0.5 * before)
+			if (tryStep(wholeStep(), 1) == 0 || scaled_.squaredNorm() > 0.5 * before)
 				break;
 		}
 		return length;
 	}
 
-	double tryStep(int lengths) {
-		const Positions whole = wholeStep();
+	double tryStep(const Positions& whole, int lengths) {
 		const double before = scaled_.squaredNorm();
 		double length = 1;
 		for (int i = 0; i < lengths; ++i, length /= 2) {
@@ -149,7 +151,7 @@ private:
 	NormalSystem system_;
 	SparseMatrix along_; // J N
 	SparseSolver solver_;
-	Positions positions_, normals_;
+	Positions positions_, normals_, firstStep_;
 	Eigen::VectorXd defects_, scaled_; // g, and as the Jacobian scales it
 	double farthest_ = 0, startCurvature_ = 0, epsilon_ = 0;
 	int iterations_ = 0;
