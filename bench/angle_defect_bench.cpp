@@ -4,11 +4,11 @@
 //
 // angle_defect_bench TRIANGLES MESH.off -> one line: triangles, ns of defects, ns of the gradient, ns of both
 // without AVX2, bytes of global and local
-#include "developable/local_method.h"
-#include "developable/penalty_method.h"
-#include "support/kernel_results.h"
+#include "developable/local/local_method.h"
+#include "developable/penalty/penalty_method.h"
 #include "support/processor_time.h"
 #include "support/shapes.h"
+#include "vcg_ext/geometry/kernel_results.h"
 
 #include <cstdio>
 #include <sys/resource.h>

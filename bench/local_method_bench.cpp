@@ -3,7 +3,7 @@
 //
 // Prints one line a size: vertices, nanoseconds an operation, the same when self-intersections are avoided,
 // and the seconds of the whole run, without and with that.
-#include "developable/local_method.h"
+#include "developable/local/local_method.h"
 #include "support/processor_time.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // solvers_bench: makes shapes, runs one method on one mesh, and measures what it did; see solvers.py.
-#include "developable/constrained_newton.h"
-#include "developable/flatten.h"
-#include "developable/local_method.h"
-#include "developable/penalty_method.h"
-#include "developable/surface_distance.h"
+#include "developable/newton/constrained_newton.h"
+#include "developable/flatten/flatten.h"
+#include "developable/local/local_method.h"
+#include "developable/penalty/penalty_method.h"
+#include "developable/geometry/geometry.h"
 
 #include "support/shapes.h"
 
@@ -77,7 +77,7 @@ void writeOff(const std::string& path, const Positions& positions, const Eigen::
 /// least-norm steps −Jᵀ(JJᵀ)⁻¹g with three unknowns a vertex.
 std::string leastNorm(const PatchAssembly& assembly, Positions& positions) {
 	detail::DefectJacobian jacobian(assembly, Eigen::VectorXd::Ones(assembly.placeCount()));
-	detail::SparseCholesky factorization;
+	SparseCholesky factorization;
 	for (int step = 0; step < 60; ++step) {
 		const Eigen::VectorXd defects = angleDefects(assembly, positions);
 		if (!defects.allFinite() || defects.cwiseAbs().sum() < 1e-6)
@@ -113,7 +113,7 @@ std::string runMethod(const std::string& method, const PatchAssembly& assembly, 
 Eigen::VectorXd hingeAngles(const PatchAssembly& assembly, const Positions& positions) {
 	const auto normal = [&](int triangle) -> Eigen::Vector3d {
 		const auto places = assembly.trianglePlaces.col(triangle);
-		const detail::TriangleFrame frame(positions.col(places[0]), positions.col(places[1]),
+		const TriangleFrame frame(positions.col(places[0]), positions.col(places[1]),
 										  positions.col(places[2]));
 		return (assembly.triangleReversed[triangle] ? -1 : 1) * frame.normal.normalized();
 	};
@@ -155,7 +155,7 @@ void printMeasures(const PatchAssembly& assembly, const Positions& positions) {
 		angle = std::remainder(angle, 2 * pi);
 	const auto flipped = (anglesBefore.array().abs() < pi / 2 && angles.array().abs() > 2 * pi / 3).count();
 	const auto smallest = [&](const Positions& p) {
-		return std::atan2(1.0, detail::cornerCotangents(assembly, p).maxCoeff()) * 180 / pi;
+		return std::atan2(1.0, cornerCotangents(assembly, p).maxCoeff()) * 180 / pi;
 	};
 	std::cout << original.cols() << ' ' << before.totalAbsoluteCurvature << ' '
 			  << after.totalAbsoluteCurvature << ' ' << after.detectFunction / before.detectFunction << ' '

@@ -4,7 +4,7 @@
 //
 // surface_distance_bench TRIANGLES -> one line: triangles; seconds for points on the surface moved by 0,
 // 0.001 and 0.1 of its size in the order of its vertices, then by 0.1 in random order
-#include "developable/surface_distance.h"
+#include "developable/geometry/geometry.h"
 #include "support/processor_time.h"
 #include "support/shapes.h"
 

@@ -6,7 +6,7 @@
 #include "layer.h"
 #include "run_filter.h"
 
-#include "developable/exceptions.h"
+#include "developable/mesh/mesh.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "parameter_values.h"
 
-#include "developable/progress.h"
+#include "developable/mesh/mesh.h"
 
 #include <functional>
 #include <string>

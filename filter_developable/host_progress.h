@@ -2,7 +2,7 @@
 // host_progress.h: passes a run's progress on to the host's callback.
 #pragma once
 
-#include "developable/progress.h"
+#include "developable/mesh/mesh.h"
 
 #include <cstring> // vcglib 2020.09 forgets it
 #include <wrap/callback.h>

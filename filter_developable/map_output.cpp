@@ -8,8 +8,7 @@
 #include "shared_parameters.h"
 #include "vertex_data.h"
 
-#include "developable/principal_curvatures.h"
-#include "developable/surface_distance.h"
+#include "developable/geometry/geometry.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include "filter_call.h"
 
-#include "developable/maps.h"
+#include "developable/geometry/geometry.h"
 
 namespace developable::plugin {
 

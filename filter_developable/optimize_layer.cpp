@@ -7,9 +7,8 @@
 #include "shared_parameters.h"
 #include "vertex_data.h"
 
-#include "developable/elastic_energy.h"
-#include "developable/mesh_reader.h"
-#include "developable/surface_distance.h"
+#include "developable/geometry/geometry.h"
+#include "developable/vcg_mesh/vcg_mesh.h"
 
 #include <chrono>
 

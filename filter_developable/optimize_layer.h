@@ -5,8 +5,7 @@
 #include "filter_call.h"
 #include "results.h"
 
-#include "developable/patch_assembly.h"
-#include "developable/report.h"
+#include "developable/mesh/mesh.h"
 
 namespace developable::plugin {
 

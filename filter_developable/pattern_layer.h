@@ -4,7 +4,7 @@
 
 #include "layer.h"
 
-#include "developable/flat_patterns.h"
+#include "developable/flatten/flatten.h"
 
 namespace developable::plugin {
 

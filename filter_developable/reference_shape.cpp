@@ -5,7 +5,7 @@
 #include "layer.h"
 #include "vertex_data.h"
 
-#include "developable/mesh_reader.h"
+#include "developable/vcg_mesh/vcg_mesh.h"
 
 namespace developable::plugin {
 
@@ -39,7 +39,7 @@ ReferenceShape fromOtherLayer(const CMeshO& current, const CMeshO& other, const 
 	TriangleMesh mesh = readTriangles(other);
 	if (mesh.triangleCount() == 0)
 		throw EmptyMesh("The layer chosen as 'reference' has no faces to measure to: choose another one.");
-	detail::requireFiniteCoordinates(mesh);
+	requireFiniteCoordinates(mesh);
 	ReferenceShape shape;
 	shape.vertices = inCoordinatesOf(current, other, mesh.positions);
 	shape.triangles = mesh.triangles;

@@ -4,7 +4,7 @@
 
 #include "filter_call.h"
 
-#include "developable/patch_assembly.h"
+#include "developable/mesh/mesh.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 // run_filter.cpp: checks of the parameters, the log, and what exceptions say.
 #include "run_filter.h"
 
-#include "developable/exceptions.h"
+#include "developable/mesh/mesh.h"
 
 #include <cmath>
 #include <new>

@@ -2,7 +2,7 @@
 // shared_parameters.cpp: labels, tooltips and defaults of the parameters that several filters share.
 #include "shared_parameters.h"
 
-#include "developable/exceptions.h"
+#include "developable/mesh/mesh.h"
 
 namespace developable::plugin {
 

@@ -4,7 +4,7 @@
 
 #include "filter_description.h"
 
-#include "developable/options.h"
+#include "developable/mesh/mesh.h"
 
 namespace developable::plugin {
 

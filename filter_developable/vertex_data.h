@@ -7,7 +7,7 @@
 
 #include "host.h"
 
-#include "developable/patch_assembly.h"
+#include "developable/mesh/mesh.h"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # setup.sh [TARGET...]: installs what is missing and builds the targets, all of them when none is named.
 # A target is a host, whose plugin becomes build/HOST/libfilter_developable.so, or `tests`, the C++ unit tests.
-# Another target, wheel, is the plugin for python/hatch_build.py, which names its host's library.
+# Another target, wheel, is the plugin for python/hatch_build.py, which names its host's library. What all of them link, the
+# library of vcg_ext, is built first.
 # A second run finds everything in place and ends in seconds.
 
 . "$(dirname "$0")/lib/common.sh"
@@ -20,40 +21,40 @@ run_packages=(libgl1 libglu1-mesa libegl1 libopengl0 libxrender1 libxcursor1 lib
 # Of the tests of windows and of pages.
 test_packages=(libgtest-dev xvfb openbox xdotool chromium chromium-driver)
 
-# provide_host TARGET: packages, Python environment, headers and CHOLMOD
+# provide_library: what vcg_ext itself is compiled with, and all builds share
+provide_library() {
+	install_packages "${build_packages[@]}"
+	provide_headers 2025.07
+	provide_cholmod
+}
+
+# provide_host TARGET: what a target needs besides
 provide_host() {
 	case $1 in
 	meshlab-2020.09)
-		install_packages "${build_packages[@]}" meshlab xvfb xauth libgl1-mesa-dri
+		install_packages meshlab xvfb xauth libgl1-mesa-dri
 		provide_headers 2020.09
 		;;
 	pymeshlab-2022.2)
-		install_packages "${build_packages[@]}" "${run_packages[@]}"
+		install_packages "${run_packages[@]}"
 		provide_environment "$root/.venv-2022.2" "$root/python/requirements-2022.2.txt"
 		provide_headers 2022.02
 		;;
 	pymeshlab-2025.7)
-		install_packages "${build_packages[@]}" "${run_packages[@]}"
+		install_packages "${run_packages[@]}"
 		provide_environment "$root/.venv" "$root/python/requirements-dev.txt"
-		provide_headers 2025.07
 		;;
-	meshlab-2025.07)
-		install_packages "${build_packages[@]}"
-		provide_headers 2025.07
-		;;
+	meshlab-2025.07) ;;
 	wheel)
-		install_packages "${build_packages[@]}" "${run_packages[@]}"
-		provide_headers 2025.07
+		install_packages "${run_packages[@]}"
 		;;
 	tests)
-		install_packages "${build_packages[@]}" "${test_packages[@]}"
-		provide_headers 2025.07
+		install_packages "${test_packages[@]}"
 		;;
 	*)
 		fail "'$1' is no target; the targets are: ${all_targets[*]}"
 		;;
 	esac
-	provide_cholmod
 }
 
 configure() { (cd "$root" && cmake --preset "$1" >"$build_root/$1.log") || fail "configuring $1 failed"; }
@@ -68,5 +69,6 @@ build() {
 
 targets=("$@")
 if ((${#targets[@]} == 0)); then targets=("${all_targets[@]}"); fi
+provide_library
 for target in "${targets[@]}"; do provide_host "$target"; done
-for target in "${targets[@]}"; do build "$target"; done
+for target in library "${targets[@]}"; do build "$target"; done

@@ -6,10 +6,10 @@
 #include "../shared_parameters.h"
 #include "filters.h"
 
-#include "developable/exceptions.h"
-#include "developable/flatten.h"
-#include "developable/mesh_reader.h"
-#include "developable/surface_distance.h"
+#include "developable/mesh/mesh.h"
+#include "developable/flatten/flatten.h"
+#include "developable/vcg_mesh/vcg_mesh.h"
+#include "developable/geometry/geometry.h"
 
 namespace developable::plugin {
 

@@ -6,8 +6,8 @@
 #include "../vertex_data.h"
 #include "filters.h"
 
-#include "developable/flatten.h"
-#include "developable/mesh_reader.h"
+#include "developable/flatten/flatten.h"
+#include "developable/vcg_mesh/vcg_mesh.h"
 
 #include <chrono>
 

@@ -4,8 +4,8 @@
 #include "../shared_parameters.h"
 #include "filters.h"
 
-#include "developable/constrained_newton.h"
-#include "developable/penalty_method.h"
+#include "developable/newton/constrained_newton.h"
+#include "developable/penalty/penalty_method.h"
 
 namespace developable::plugin {
 

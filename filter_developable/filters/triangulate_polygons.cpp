@@ -3,7 +3,7 @@
 #include "../layer.h"
 #include "filters.h"
 
-#include "developable/polygon_triangulation.h"
+#include "developable/polygons/polygon_triangulation.h"
 
 namespace developable::plugin {
 

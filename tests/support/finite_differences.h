@@ -2,7 +2,7 @@
 // finite_differences.h: central differences (Eq. 12), which every closed-form derivative has to agree with.
 #pragma once
 
-#include "developable/triangle_mesh.h"
+#include "developable/mesh/mesh.h"
 
 namespace developable::test {
 

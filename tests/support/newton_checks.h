@@ -2,7 +2,7 @@
 // newton_checks.h: what every result of the constrained Newton method has to be.
 #pragma once
 
-#include "developable/constrained_newton.h"
+#include "developable/newton/constrained_newton.h"
 
 #include "support/shapes.h"
 

@@ -2,8 +2,7 @@
 // shapes.h: shapes that tests work on, made in code.
 #pragma once
 
-#include "developable/assemble_patches.h"
-#include "developable/constants.h"
+#include "developable/mesh/mesh.h"
 
 #include <cmath>
 #include <functional>

@@ -2,11 +2,12 @@
 // slow_local_method.h: the local method of Section 5 written down as plainly as can be, to compare with.
 #pragma once
 
-#include "developable/angle_defect.h"
-#include "developable/detail/vertex_normals.h"
-#include "developable/local_method_options.h"
+#include "developable/geometry/geometry.h"
+#include "developable/local/local_method.h"
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace developable::test {
 
@@ -16,8 +17,8 @@ inline std::vector<int> starOf(const PatchAssembly& assembly, int copy) {
 	for (int t = 0; t < assembly.triangleCount(); ++t)
 		for (int corner = 0; corner < 3; ++corner)
 			if (assembly.triangleCopies(corner, t) == copy)
-				for (const int step : {1, 2}) {
-					const int other = assembly.triangleCopies((corner + step) % 3, t);
+				for (const int number : {nextCorner(corner), previousCorner(corner)}) {
+					const int other = assembly.triangleCopies(number, t);
 					if (std::find(star.begin(), star.end(), other) == star.end())
 						star.push_back(other);
 				}
@@ -33,20 +34,24 @@ inline double slowDerivative(const PatchAssembly& assembly, const Positions& pos
 			if (assembly.triangleCopies(corner, t) != copy)
 				continue;
 			const auto p = assembly.trianglePlaces.col(t), c = assembly.triangleCopies.col(t);
-			const detail::AngleGradients gradients(
-				detail::TriangleFrame(positions.col(p[0]), positions.col(p[1]), positions.col(p[2])));
+			const AngleGradients gradients(
+				TriangleFrame(positions.col(p[0]), positions.col(p[1]), positions.col(p[2])));
 			derivative -=
 				2 * gradients.weighted(Eigen::Vector3d(g[c[0]], g[c[1]], g[c[2]]), corner).dot(normal);
 		}
 	return derivative;
 }
 
-/// The paper's algorithm with SPEC's three additions: every angle defect anew after every move, the worst
-/// vertex by looking at all, a copy of the lowest state.
+/// The paper's algorithm, where every angle defect is computed anew after every move, the worst vertex is
+/// found by looking at all, and the lowest state is a copy. On three things the paper is silent: a vertex
+/// whose δ does not change is set aside until a neighbour moves; the state of lowest G is returned; a run
+/// that has found no lower G within 20 operations a movable vertex ends.
+/// \param maxDisplacement  δ_T, length
+/// \return                 the number of operations
 inline long slowLocalMethod(const PatchAssembly& assembly, Positions& positions, double angleTolerance,
 							double maxDisplacement, long maxOperations) {
 	const Positions start = positions;
-	const Eigen::Matrix3Xd normals = detail::copyNormals(assembly, start);
+	const Eigen::Matrix3Xd normals = copyNormals(assembly, start);
 	Eigen::VectorXd height = Eigen::VectorXd::Zero(assembly.copyCount()),
 					g = angleDefects(assembly, positions);
 	std::vector<char> movable(assembly.copyCount()), setAside(assembly.copyCount(), 0);

@@ -2,7 +2,7 @@
 // vcg_meshes.h: vcg meshes in float and in double, and how tests fill them.
 #pragma once
 
-#include "developable/triangle_mesh.h"
+#include "developable/mesh/mesh.h"
 
 #include <vcg/complex/complex.h>
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/flatten/flatten.h"
+
+#include "support/flat_shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+int edgeCount(const FlatPatterns& patterns) {
+	int count = 0;
+	for (int h = 0; h < static_cast<int>(patterns.joinedHalfEdge.size()); ++h)
+		count += patterns.joinedHalfEdge[h] < h;
+	return count;
+}
+
+TEST(PatternMeasures, APieceThatOverlapsItselfIsReported) {
+	// A flat ribbon wound up as a helix: its pattern is a ring that goes round one and a half times.
+	const auto helix = [](double u, double v) -> Eigen::Vector3d {
+		const double angle = 3 * pi * u, radius = 1 + 0.3 * v;
+		return {radius * std::cos(angle), radius * std::sin(angle), 0.02 * angle};
+	};
+	const FlatPatterns patterns = flattened(grid(90, 4, helix));
+	EXPECT_EQ(patterns.report.overlappingPieces, 1);
+	EXPECT_EQ(patterns.report.flippedFaces, 0);
+	EXPECT_LT(patterns.report.maxEdgeStrain, 1e-2);
+	EXPECT_EQ(patterns.report.notes.size(), 1u);
+}
+
+TEST(PatternMeasures, MapsAddUpToTheReport) {
+	const FlatPatterns patterns = flattened(together(jitteredGrid(12, 12, sphereCap(1)), ring(12, 8, tube)));
+	EXPECT_EQ(patterns.edgeStrain.maxCoeff(), patterns.report.maxEdgeStrain);
+	EXPECT_NEAR(patterns.elasticEnergy.sum(), patterns.report.elasticEnergy,
+				1e-12 * patterns.report.elasticEnergy);
+	double mean = 0;
+	for (int h = 0; h < static_cast<int>(patterns.joinedHalfEdge.size()); ++h) {
+		if (patterns.joinedHalfEdge[h] >= h)
+			continue;
+		EXPECT_LE(patterns.joinedHalfEdge[h], h);
+	}
+	EXPECT_EQ(edgeCount(patterns), 12 * 11 * 2 + 11 * 11 + 12 * 8 + 12 * 7 * 2 + 7);
+	for (const FlatPiece& piece : patterns.pieces)
+		mean = std::max(mean, piece.meanEdgeStrain);
+	EXPECT_GT(mean, patterns.report.meanEdgeStrain);
+	const PatchAssembly assembly = assembled(together(jitteredGrid(12, 12, sphereCap(1)), ring(12, 8, tube)));
+	EXPECT_EQ(largestAtPlaces(assembly, patterns, patterns.edgeStrain).maxCoeff(),
+			  patterns.report.maxEdgeStrain);
+}
+
+} // namespace
+} // namespace developable::test

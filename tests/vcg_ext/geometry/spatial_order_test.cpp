@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/geometry/spatial_order.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+TEST(SpatialOrder, NumbersEachPointOnceAndNeighboursClosely) {
+	const int side = 64;
+	const TriangleMesh mesh = grid(side, side, flatSheet);
+	const std::vector<int> order = spatialOrder(mesh.positions);
+	std::vector<int> number(order.size(), -1);
+	for (int i = 0; i < side * side; ++i)
+		number[order[i]] = i;
+	EXPECT_EQ(std::count(number.begin(), number.end(), -1), 0);
+	int near = 0;
+	for (int v = side; v < side * side; ++v)
+		near += std::abs(number[v] - number[v - side]) < side / 2; // row by row all of them are `side` apart
+	EXPECT_GT(near, 0.7 * side * side);
+}
+
+} // namespace
+} // namespace developable::test

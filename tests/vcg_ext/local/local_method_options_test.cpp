@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/local/local_method.h"
+
+#include "support/local_method_cases.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+TEST(LocalMethod, DescentLowersTWithEveryMoveAndEndsByItself) {
+	const PatchAssembly assembly = hardCase();
+	LocalMethodOptions descent;
+	descent.descent = true;
+	descent.angleTolerance = 1e-5; // out of reach
+	Positions careful = assembly.originalPositions;
+	const LocalMethodReport report = localMethod(assembly, careful, descent);
+	EXPECT_EQ(report.status, Status::Stalled);
+	EXPECT_LT(report.iterations, descent.maxOperations / 2);
+	EXPECT_GT(report.setAside, 0);
+	EXPECT_LT(measured(assembly, careful).detectFunction,
+			  measured(assembly, assembly.originalPositions).detectFunction);
+	// One move alone lowers G, for T holds all of G that it can change.
+	descent.maxOperations = 1;
+	Positions once = assembly.originalPositions;
+	localMethod(assembly, once, descent);
+	EXPECT_LT(measured(assembly, once).detectFunction,
+			  measured(assembly, assembly.originalPositions).detectFunction);
+}
+
+/// Σ over edges of the squared difference of the displacements of its ends.
+double unevenness(const PatchAssembly& assembly, const Positions& positions) {
+	const Positions moves = positions - assembly.originalPositions;
+	double sum = 0;
+	for (const auto& edge : assembly.edgePlaces.colwise())
+		sum += (moves.col(edge[0]) - moves.col(edge[1])).squaredNorm();
+	return sum / moves.squaredNorm();
+}
+
+/// Runs until G is as low as a bound, and no longer.
+Positions runUntil(const PatchAssembly& assembly, LocalMethodOptions options, double bound) {
+	long tooFew = 0, enough = options.maxOperations;
+	Positions result;
+	while (enough - tooFew > 1) {
+		options.maxOperations = (tooFew + enough) / 2;
+		Positions positions = assembly.originalPositions;
+		localMethod(assembly, positions, options);
+		if (measured(assembly, positions).detectFunction > bound) {
+			tooFew = options.maxOperations;
+		} else {
+			enough = options.maxOperations;
+			result = positions;
+		}
+	}
+	return result;
+}
+
+TEST(LocalMethod, SmoothingEvensOutTheDisplacementsAtEqualDetectFunction) {
+	const PatchAssembly assembly = hardCase();
+	LocalMethodOptions options;
+	options.descent = true;
+	options.maxOperations = 20000;
+	const double bound = 0.6 * measured(assembly, assembly.originalPositions).detectFunction;
+	const Positions plain = runUntil(assembly, options, bound);
+	options.smoothing = 0.01;
+	const Positions smooth = runUntil(assembly, options, bound);
+	ASSERT_GT(plain.size(), 0);
+	ASSERT_GT(smooth.size(), 0);
+	EXPECT_LT(unevenness(assembly, smooth), 0.9 * unevenness(assembly, plain));
+	EXPECT_LT(roughness(assembly, smooth), roughness(assembly, plain));
+}
+
+TEST(LocalMethod, MovesSeamsWhenTheyMayMoveTogether) {
+	const PatchAssembly assembly = sewnSheets();
+	ASSERT_EQ(assembly.patchCount(), 2);
+	ASSERT_EQ(assembly.assemblingPlaceCount(), 9);
+	LocalMethodOptions options;
+	options.descent = true;
+	Positions fixed = assembly.originalPositions, together = fixed;
+	localMethod(assembly, fixed, options);
+	options.assemblingVertices = AssemblingVertices::MoveTogether;
+	localMethod(assembly, together, options);
+	double seamMove = 0;
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		if (assembly.placeAssembling[place]) {
+			EXPECT_EQ(fixed.col(place), assembly.originalPositions.col(place));
+			seamMove =
+				std::max(seamMove, (together.col(place) - assembly.originalPositions.col(place)).norm());
+		}
+	EXPECT_GT(seamMove, 1e-3);
+	EXPECT_LT(measured(assembly, together).detectFunction, 0.8 * measured(assembly, fixed).detectFunction);
+}
+
+} // namespace
+} // namespace developable::test

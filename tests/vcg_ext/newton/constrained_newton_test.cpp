@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/constrained_newton.h"
+
+#include "support/finite_differences.h"
+#include "support/newton_checks.h"
+
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace developable::test {
+namespace {
+
+/// A grid of which only the vertices within so many rows of the middle may move.
+PatchAssembly heldOutside(int rows) {
+	TriangleMesh mesh = jitteredGrid(15, 15, bumpedCylinder);
+	for (int row = 0; row < 15; ++row)
+		for (int column = 0; column < 15; ++column)
+			mesh.vertexSelected[15 * row + column] = std::max(std::abs(row - 7), std::abs(column - 7)) > rows;
+	PatchOptions options;
+	options.fixSelected = true;
+	return assembled(mesh, options);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeNearSmoothOnes) {
+	expectConverges(assembled(jitteredGrid(31, 31, sphereCap(1))), 0.013);
+	expectConverges(assembled(jitteredGrid(31, 31, largeSaddle)), 0.045);
+	expectConverges(assembled(jitteredGrid(31, 31, bumpedCylinder)), 0.006);
+	expectConverges(assembled(jitteredGrid(31, 31, wave)), 0.007);
+	expectConverges(assembled(jitteredGrid(31, 31, vamp)), 0.015);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeFromASteepBump) {
+	expectConverges(assembled(jitteredGrid(31, 31, steepBump)), 0.04);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeAroundHoles) {
+	const PatchAssembly assembly = assembled(withTwoHoles(31, bumpedCylinder));
+	ASSERT_EQ(assembly.patches[0].eulerCharacteristic(), -1);
+	expectConverges(assembly, 0.005);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeThroughNoise) {
+	expectConverges(assembled(noisy(jitteredGrid(31, 31, bumpedCylinder), 0.02)), 0.006);
+	expectConverges(assembled(noisy(jitteredGrid(31, 31, wave), 0.02)), 0.007);
+}
+
+TEST(ConstrainedNewton, ReachesADevelopableShapeWithThinTriangles) {
+	expectConverges(assembled(jitteredGrid(11, 91, bumpedCylinder, 0.2)), 0.008);
+	// The angles of one degree and less come with much curvature of their own.
+	expectConverges(assembled(jitteredGrid(11, 181, vamp, 0.2)), 0.015);
+	expectConverges(assembled(jitteredGrid(11, 301, bumpedCylinder, 0.2)), 0.03);
+}
+
+TEST(ConstrainedNewton, KeepsSeamsClosedAndConvergesInEveryPatch) {
+	const TriangleMesh left = jitteredGrid(16, 16, saddle);
+	TriangleMesh right = left;
+	right.positions.row(0) = 2 - right.positions.row(0).array(); // mirrored at x = 1
+	const PatchAssembly assembly = assembled(together(left, right));
+	ASSERT_EQ(assembly.patchCount(), 2);
+	ASSERT_EQ(assembly.assemblingPlaceCount(), 16); // one place, one position: a seam cannot open
+	expectConverges(assembly, 0.02);
+}
+
+TEST(ConstrainedNewton, LeavesDevelopableShapesAlone) {
+	const TriangleMesh sheet = jitteredGrid(41, 41, flatSheet);
+	const TriangleMesh maze = without(sheet, 41, [](int column, int row) {
+		return row % 4 == 1 && (row % 8 == 1 ? column < 37 : column > 2);
+	});
+	for (const TriangleMesh& mesh : {sheet, maze, grid(12, 9, quarterCylinder), grid(15, 7, coneBand)}) {
+		const PatchAssembly assembly = assembled(mesh);
+		Positions positions = assembly.originalPositions;
+		EXPECT_EQ(constrainedNewton(assembly, positions, {}).status, Status::NothingToDo);
+		EXPECT_EQ(positions, assembly.originalPositions);
+	}
+}
+
+TEST(ConstrainedNewton, DoesNotDependOnScalePlaceOrRotation) {
+	const TriangleMesh mesh = jitteredGrid(21, 21, bumpedCylinder);
+	const Positions expected = expectConverges(assembled(mesh), 0.01);
+	for (const double scale : {1e-3, 1e4}) {
+		const Eigen::Vector3d shift = scale * Eigen::Vector3d(3, -2, 1);
+		TriangleMesh other = mesh;
+		other.positions = moved(mesh.positions, scale, shift);
+		const Positions result = expectConverges(assembled(other), 0.01);
+		EXPECT_LT((result - moved(expected, scale, shift)).cwiseAbs().maxCoeff(), 1e-6 * scale);
+	}
+}
+
+TEST(ConstrainedNewton, DoesNotDependOnTheOrderOfVertices) {
+	const TriangleMesh mesh = jitteredGrid(21, 21, bumpedCylinder);
+	const Positions expected = expectConverges(assembled(mesh), 0.01);
+	std::vector<int> order(mesh.vertexCount());
+	std::iota(order.begin(), order.end(), 0);
+	std::shuffle(order.begin(), order.end(), std::mt19937(5));
+	TriangleMesh shuffled = mesh;
+	for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+		shuffled.positions.col(order[vertex]) = mesh.positions.col(vertex);
+	for (int& vertex : shuffled.triangles.reshaped())
+		vertex = order[vertex];
+	const Positions result = expectConverges(assembled(shuffled), 0.01);
+	EXPECT_LT((result(Eigen::all, order) - expected).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(ConstrainedNewton, GivesTheSameBitsOnEveryRun) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, saddle));
+	EXPECT_EQ(expectConverges(assembly, 0.05), expectConverges(assembly, 0.05));
+}
+
+TEST(ConstrainedNewton, LeavesHeldPlacesWhereTheyAre) {
+	TriangleMesh mesh = jitteredGrid(21, 21, bumpedCylinder);
+	for (int vertex = 0; vertex < 21; ++vertex)
+		mesh.vertexSelected[vertex] = 1;
+	PatchOptions options;
+	options.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, options);
+	const Positions positions = expectConverges(assembly, 0.01);
+	EXPECT_EQ(positions.leftCols(21), mesh.positions.leftCols(21));
+}
+
+TEST(ConstrainedNewton, SaysThatHeldPlacesMakeTheGoalImpossible) {
+	const PatchAssembly assembly = heldOutside(2);
+	Positions positions = assembly.originalPositions;
+	const Measures before = measure(assembly, positions, 1e-4);
+	EXPECT_EQ(constrainedNewton(assembly, positions, {}).status, Status::Stalled);
+	const Measures after = measure(assembly, positions, 1e-4);
+	EXPECT_LT(after.detectFunction, before.detectFunction);
+	expectSound(assembly, positions);
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		if (assembly.placeFixed[place]) {
+			EXPECT_EQ(positions.col(place), assembly.originalPositions.col(place));
+		}
+}
+
+TEST(ConstrainedNewton, EndsAtTheLeastSquaresWhereHeldPlacesAreInTheWay) {
+	const PatchAssembly assembly = heldOutside(5);
+	Positions positions = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, positions, {}).status, Status::Stalled);
+	detail::DefectJacobian jacobian(assembly, detail::placeMasses(assembly));
+	const auto slope = [&](const Positions& at) {
+		jacobian.linearize(at);
+		return jacobian.applyTransposed(jacobian.scaled(angleDefects(assembly, at))).norm();
+	};
+	EXPECT_LT(slope(positions), 1e-4 * slope(assembly.originalPositions));
+}
+
+/// A sphere with a hole of four triangles.
+TriangleMesh jar() {
+	const TriangleMesh mesh = sphere(1, 3);
+	return makeMesh(mesh.positions, mesh.triangles.rightCols(mesh.triangleCount() - 4));
+}
+
+TEST(ConstrainedNewton, SaysThatAShapeWithAShortRimNeedsACut) {
+	expectNeedsCut(assembled(jar()));
+}
+
+TEST(ConstrainedNewton, MovesMoreAndBendsLessWithMoreSmoothness) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, wave));
+	double last = 0;
+	for (const double smoothness : {1e-6, 1e-5, 1e-4}) {
+		Positions positions = assembly.originalPositions;
+		ConstrainedNewtonOptions options;
+		options.smoothness = smoothness;
+		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+		EXPECT_GT(meanDisplacement(assembly, positions), last);
+		last = meanDisplacement(assembly, positions);
+	}
+}
+
+TEST(ConstrainedNewton, StopsWhenAskedAndLeavesThePositions) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, saddle));
+	Positions positions = assembly.originalPositions;
+	int calls = 0;
+	double last = 0;
+	const Progress stopSoon = [&](double done, const std::string&) {
+		EXPECT_GE(done, 0);
+		EXPECT_LE(done, 1);
+		last = done;
+		return ++calls < 20;
+	};
+	EXPECT_EQ(constrainedNewton(assembly, positions, {}, stopSoon).status, Status::Stopped);
+	EXPECT_EQ(calls, 20);
+	EXPECT_EQ(positions, assembly.originalPositions);
+}
+
+TEST(ConstrainedNewton, EndsAtItsLimitOfIterations) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, saddle));
+	Positions positions = assembly.originalPositions;
+	ConstrainedNewtonOptions options;
+	options.maxIterations = 3;
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, options);
+	EXPECT_EQ(report.status, Status::LimitReached);
+	EXPECT_EQ(report.iterations, 3);
+	EXPECT_LT(measure(assembly, positions, 1e-4).totalAbsoluteCurvature,
+			  measure(assembly, assembly.originalPositions, 1e-4).totalAbsoluteCurvature);
+}
+
+/// A sheet raised so far that it can't lie flat without a cut where its edges are sewn to others.
+Eigen::Vector3d bubble(double u, double v) {
+	return {u, v, 3 * std::sin(pi * u) * std::sin(pi * v)};
+}
+
+/// A sheet beside it, with a ridge that ends at the common edge.
+Eigen::Vector3d besideBubble(double u, double v) {
+	const double distance = (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5);
+	return {1 + u, v, 0.15 * u * std::exp(-20 * distance)};
+}
+
+/// Only the first patch ends with curvature; the others are as developable as without it.
+void expectOnlyFirstNeedsCut(const PatchAssembly& assembly) {
+	Positions positions = assembly.originalPositions;
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+	const Measures before = measure(assembly, assembly.originalPositions, 1e-4),
+				   after = measure(assembly, positions, 1e-4);
+	EXPECT_EQ(report.status, Status::NeedsCut);
+	EXPECT_EQ(report.worstPatch, 0);
+	EXPECT_NE(report.reason.find("in 1 of " + std::to_string(assembly.patchCount()) + " patches"),
+			  std::string::npos)
+		<< report.reason;
+	for (int patch = 1; patch < assembly.patchCount(); ++patch)
+		EXPECT_LE(report.patchCurvature[patch], 1e-4);
+	EXPECT_LT(after.detectFunction, before.detectFunction);
+	EXPECT_LT(after.totalAbsoluteCurvature, before.totalAbsoluteCurvature);
+	expectSound(assembly, positions);
+}
+
+TEST(ConstrainedNewton, FinishesPatchesBesideOneThatNeedsACut) {
+	const auto apart = [](double u, double v) -> Eigen::Vector3d {
+		return wave(u, v) + Eigen::Vector3d(0, 5, 0);
+	};
+	expectOnlyFirstNeedsCut(
+		assembled(together(together(jar(), jitteredGrid(15, 15, apart)), jitteredGrid(31, 31, vamp))));
+	// Sewn to it, coarse enough to leave the seam to the others and so fine that they have to hold it.
+	for (const int columns : {15, 31})
+		expectOnlyFirstNeedsCut(assembled(
+			together(jitteredGrid(columns, columns, bubble), jitteredGrid(columns, columns, besideBubble))));
+}
+
+TEST(ConstrainedNewton, MayTakeNoStepAtAll) {
+	for (const int columns : {15, 60}) { // one level, and several
+		const PatchAssembly assembly = assembled(jitteredGrid(columns, columns, bumpedCylinder));
+		Positions positions = assembly.originalPositions;
+		ConstrainedNewtonOptions options;
+		options.maxIterations = 0;
+		const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, options);
+		EXPECT_EQ(report.status, Status::LimitReached);
+		EXPECT_EQ(report.iterations, 0);
+		EXPECT_EQ(positions, assembly.originalPositions);
+	}
+}
+
+TEST(ConstrainedNewton, RefusesOptionsOutOfRange) {
+	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, saddle));
+	Positions positions = assembly.originalPositions;
+	const auto refused = [&](auto change) {
+		ConstrainedNewtonOptions options;
+		change(options);
+		EXPECT_THROW(constrainedNewton(assembly, positions, options), InvalidParameter);
+	};
+	refused([](auto& options) { options.curvatureTolerance = 0; });
+	refused([](auto& options) { options.angleTolerance = -1; });
+	refused([](auto& options) { options.maxIterations = -1; });
+	refused([](auto& options) { options.smoothness = 0; });
+	refused([](auto& options) { options.smoothness = std::nan(""); });
+	const PatchAssembly closed = assembled(octahedron());
+	Positions octahedronPositions = closed.originalPositions;
+	EXPECT_THROW(constrainedNewton(closed, octahedronPositions, {}), ClosedPatch);
+}
+
+TEST(DefectJacobian, AgreesWithCentralDifferences) {
+	const TriangleMesh left = jitteredGrid(6, 7, saddle);
+	TriangleMesh right = left;
+	right.positions.row(0) = 2 - right.positions.row(0).array();
+	TriangleMesh mesh = together(left, right);
+	mesh.vertexSelected[9] = 1;
+	PatchOptions options;
+	options.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, options);
+	const detail::BendingMetric metric(assembly, Eigen::VectorXd::Constant(2, 1e-3));
+	detail::DefectJacobian jacobian(assembly, metric.placeMass());
+	jacobian.linearize(assembly.originalPositions);
+	Eigen::MatrixXd rows(jacobian.rowCount(), 3 * assembly.placeCount());
+	for (int row = 0; row < jacobian.rowCount(); ++row) {
+		const Positions gradient = jacobian.applyTransposed(Eigen::VectorXd::Unit(jacobian.rowCount(), row));
+		Positions differences = centralDifferences(
+			[&](const Positions& p) { return jacobian.scaled(angleDefects(assembly, p))[row]; },
+			assembly.originalPositions);
+		for (int place = 0; place < assembly.placeCount(); ++place)
+			if (assembly.placeFixed[place])
+				differences.col(place).setZero();
+		EXPECT_LT((gradient - differences).norm(), 1e-6 * differences.norm());
+		rows.row(row) = gradient.reshaped().transpose();
+	}
+	// The other two ways to use the same derivative.
+	const Positions displacement = Positions::Random(3, assembly.placeCount());
+	EXPECT_LT((jacobian.apply(displacement) - rows * displacement.reshaped()).norm(), 1e-10 * rows.norm());
+	const Eigen::VectorXd inverseMass =
+		metric.placeMass().cwiseInverse().transpose().replicate(3, 1).reshaped();
+	const Eigen::MatrixXd product = rows * inverseMass.asDiagonal() * rows.transpose();
+	const Eigen::MatrixXd lower = jacobian.massProduct(0);
+	EXPECT_LT((lower - Eigen::MatrixXd(product.triangularView<Eigen::Lower>())).norm(),
+			  1e-12 * product.norm());
+}
+
+TEST(NewtonAttempt, LandsFromNearby) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, bumpedCylinder));
+	Positions nearby = expectConverges(assembly, 0.01);
+	nearby += 1e-3 * Positions::Random(3, assembly.placeCount());
+	detail::NewtonAttempt attempt(assembly, Eigen::VectorXd::Constant(1, 3e-6), true, {1e-4, 1e-4}, {});
+	const detail::NewtonOutcome outcome = attempt.landFrom(nearby, 50);
+	EXPECT_EQ(outcome.status, Status::Converged);
+	EXPECT_LE(angleDefects(assembly, outcome.positions).cwiseAbs().sum(), 1e-4);
+	EXPECT_LT((outcome.positions - nearby).cwiseAbs().maxCoeff(), 0.02);
+	expectSound(assembly, outcome.positions);
+}
+
+TEST(BendingMetric, OfAnAffineDisplacementOfASheetIsItsMeanSquare) {
+	const PatchAssembly assembly = assembled(jitteredGrid(9, 12, flatSheet));
+	detail::BendingMetric metric(assembly, Eigen::VectorXd::Constant(1, 1));
+	metric.factorize();
+	Eigen::Matrix3d slope;
+	slope << 0.3, -0.2, 1, 0.5, 0.1, 0.4, -0.7, 0.2, 0.6;
+	const Positions affine = (slope * assembly.originalPositions).colwise() + Eigen::Vector3d(1, 2, 3);
+	double meanSquare = 0;
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		meanSquare += metric.placeMass()[place] * affine.col(place).squaredNorm();
+	EXPECT_NEAR(metric.placeMass().sum(), 1, 1e-13);
+	EXPECT_NEAR(metric.squaredNorm(affine), meanSquare, 1e-9 * meanSquare);
+	EXPECT_LT((metric.solve(metric.apply(affine)) - affine).norm(), 1e-8 * affine.norm());
+}
+
+TEST(BendingMetric, TendsToTheThinPlateWithoutUnit) {
+	// d = x²/2s² along z on a sheet of side s: the bending part is α s⁴ · (∫ (d'')² = 1/s²) / s² = α.
+	double error = 1;
+	for (const int cells : {8, 16, 32}) {
+		for (const double scale : {1.0, 20.0}) {
+			TriangleMesh mesh = grid(cells + 1, cells + 1, flatSheet);
+			mesh.positions *= scale;
+			const PatchAssembly assembly = assembled(mesh);
+			const auto squaredNorm = [&](double smoothness) {
+				Positions displacement = Positions::Zero(3, assembly.placeCount());
+				displacement.row(2) =
+					assembly.originalPositions.row(0).array().square() / (2 * scale * scale);
+				return detail::BendingMetric(assembly, Eigen::VectorXd::Constant(1, smoothness))
+					.squaredNorm(displacement);
+			};
+			const double bending = (squaredNorm(2e-3) - squaredNorm(1e-3)) / 1e-3;
+			if (scale == 1.0)
+				error = std::abs(bending - 1);
+			EXPECT_NEAR(bending, 1, 0.35) << cells;
+		}
+	}
+	EXPECT_LT(error, 0.35);
+}
+
+TEST(BendingMetric, MakesTrianglesMoveAsOnePiece) {
+	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, flatSheet));
+	detail::BendingMetric metric(assembly, Eigen::VectorXd::Constant(1, 1e-3));
+	const auto places = assembly.trianglePlaces.col(13);
+	Positions force = Positions::Zero(3, assembly.placeCount());
+	force(2, places[1]) = 1;
+	double stretch = 1e300;
+	for (int times = 0; times < 12; ++times) {
+		metric.factorize();
+		const Positions displacement = metric.solve(force);
+		EXPECT_LT((metric.apply(displacement) - force).norm(), 1e-9);
+		const double less =
+			std::abs(displacement(2, places[1]) - displacement(2, places[2])) / displacement.norm();
+		EXPECT_LT(less, stretch);
+		stretch = less;
+		metric.stiffen({13});
+	}
+	EXPECT_LT(stretch, 1e-4);
+	const Positions together = Positions::Constant(3, assembly.placeCount(), 0.5);
+	EXPECT_NEAR(metric.squaredNorm(together), 0.75, 1e-9); // all at once moves as before
+	EXPECT_FALSE(metric.tooStiff());
+	std::vector<int> most(21);
+	std::iota(most.begin(), most.end(), 0);
+	metric.stiffen(most);
+	EXPECT_TRUE(metric.tooStiff());
+}
+
+TEST(Soundness, SeesFlipsAndSlivers) {
+	const PatchAssembly assembly = assembled(grid(5, 5, flatSheet));
+	const detail::Soundness soundness(assembly);
+	EXPECT_TRUE(soundness.holds(assembly.originalPositions));
+	Positions sliver = assembly.originalPositions;
+	sliver(0, 12) = 0.999 * sliver(0, 13) + 0.001 * sliver(0, 12); // the middle almost on its right neighbour
+	EXPECT_FALSE(soundness.holds(sliver));
+	Positions flipped = assembly.originalPositions;
+	flipped(0, 12) += 0.4; // and beyond it
+	EXPECT_FALSE(soundness.holds(flipped));
+	EXPECT_EQ(soundness.spoiltTriangles(assembly.originalPositions), std::vector<int>());
+	Positions move = flipped - assembly.originalPositions;
+	EXPECT_TRUE(soundness.mend(assembly.originalPositions, move));
+	EXPECT_TRUE(soundness.holds(assembly.originalPositions + move));
+	EXPECT_GT(move.norm(), 0.1);
+	PatchAssembly held = assembly;
+	held.placeFixed.assign(held.placeCount(), 1);
+	held.placeFixed[12] = 0;
+	move = flipped - assembly.originalPositions;
+	EXPECT_TRUE(detail::Soundness(held).mend(assembly.originalPositions, move));
+	EXPECT_EQ(move.col(13), Eigen::Vector3d::Zero());
+	Positions missing = assembly.originalPositions;
+	missing(1, 3) = std::nan("");
+	EXPECT_FALSE(soundness.holds(missing));
+}
+
+} // namespace
+} // namespace developable::test

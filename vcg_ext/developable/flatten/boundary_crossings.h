@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// boundary_crossings.h: which pieces of a layout cross themselves or another, by their boundary segments.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace developable::detail {
+
+struct BoundarySegment {
+	int start, end; ///< vertices
+	int piece;
+};
+
+/// Per piece, whether its boundary crosses itself or another's. A disk without flips whose boundary does not
+/// cross itself covers nothing twice. Segments are swept from left to right.
+/// \param positions  2 x vertices
+std::vector<char> crossingPieces(const Eigen::Matrix2Xd& positions, std::vector<BoundarySegment> segments,
+								 int pieceCount);
+
+} // namespace developable::detail

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// pattern_maker.cpp: panels flattened one by one, and their vertices numbered anew in the patterns.
+#include "pattern_maker.h"
+
+#include "pattern_layout.h"
+#include "pattern_measures.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace developable::detail {
+
+PatternMaker::PatternMaker(const PatchAssembly& assembly, const Positions& positions)
+	: assembly_(assembly), positions_(positions), maker_(assembly, positions) {
+	patterns_.triangles.resize(3, assembly.triangleCount());
+	patterns_.joinedHalfEdge = assembly.joinedHalfEdge;
+	for (int piece = 0; piece < assembly.patchCount(); ++piece) {
+		panels_.push_back(maker_.panel(piece));
+		loops_.push_back(boundaryLoops(panels_.back()));
+	}
+	requireNoHandles();
+}
+
+void PatternMaker::requireNoHandles() const {
+	int withHandles = 0;
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		withHandles +=
+			assembly_.patches[piece].eulerCharacteristic() + static_cast<int>(loops_[piece].size()) != 2;
+	if (withHandles > 0)
+		throw PatchWithHandles(
+			counted(withHandles, "patch has a handle", "patches have handles") +
+			", like the handle of a cup, and can't be laid flat: cut it open, or give it seams "
+			"(see the parameter 'patches').");
+}
+
+bool PatternMaker::flattenPanels(int iterations, const Progress& progress) {
+	double done = 0;
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece) {
+		const double share = double(assembly_.patches[piece].triangles) / assembly_.triangleCount();
+		const Progress panelProgress = [&](double fraction, const std::string& message) {
+			return mayGoOn(progress, done + share * fraction, message);
+		};
+		flat_.push_back(flattenPanel(panels_[piece], iterations, panelProgress));
+		if (flat_.back().minimum.stopped)
+			return false;
+		done += share;
+	}
+	return true;
+}
+
+FlatPatterns PatternMaker::makePatterns(double gap) {
+	joinPanels();
+	std::vector<std::vector<int>> outerLoops;
+	outerLoops.reserve(assembly_.patchCount());
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		outerLoops.push_back(outerLoop(piece));
+	standUpright(assembly_, positions_, patterns_, outerLoops, firstVertex_);
+	laySideBySide(patterns_, firstVertex_, gap);
+	describePieces();
+	measurePatterns(assembly_, positions_, patterns_);
+	return std::move(patterns_);
+}
+
+void PatternMaker::joinPanels() {
+	firstVertex_ = {0};
+	for (const FlatPanel& flat : flat_)
+		firstVertex_.push_back(firstVertex_.back() + flat.mesh.vertexCount());
+	orderVertices();
+	patterns_.positions.resize(2, firstVertex_.back());
+	patterns_.placeOfVertex.resize(firstVertex_.back());
+	patterns_.pieceOfVertex.resize(firstVertex_.back());
+	for (int corner = 0; corner < static_cast<int>(patterns_.triangles.size()); ++corner) {
+		const int piece = assembly_.patchOfTriangle[triangleOf(corner)];
+		const PanelMesh& mesh = flat_[piece].mesh;
+		const int vertex = patternVertex(piece, mesh.start(maker_.panelCorner(corner)));
+		patterns_.triangles.data()[corner] = vertex;
+		patterns_.placeOfVertex[vertex] = assembly_.placeAt(corner);
+		patterns_.pieceOfVertex[vertex] = piece;
+		if (mesh.joinedHalfEdge[maker_.panelHalfEdge(corner)] < 0)
+			patterns_.joinedHalfEdge[corner] = -1;
+	}
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		for (int vertex = 0; vertex < flat_[piece].mesh.vertexCount(); ++vertex)
+			patterns_.positions.col(patternVertex(piece, vertex)) = flat_[piece].positions.col(vertex);
+}
+
+void PatternMaker::orderVertices() {
+	std::vector<int> place(firstVertex_.back()), order(firstVertex_.back());
+	for (int corner = 0; corner < static_cast<int>(patterns_.triangles.size()); ++corner) {
+		const int piece = assembly_.patchOfTriangle[triangleOf(corner)];
+		place[firstVertex_[piece] + flat_[piece].mesh.start(maker_.panelCorner(corner))] =
+			assembly_.placeAt(corner);
+	}
+	std::iota(order.begin(), order.end(), 0);
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		std::stable_sort(order.begin() + firstVertex_[piece], order.begin() + firstVertex_[piece + 1],
+						 [&](int a, int b) { return place[a] < place[b]; });
+	patternVertex_.resize(order.size());
+	for (std::size_t i = 0; i < order.size(); ++i)
+		patternVertex_[order[i]] = static_cast<int>(i);
+}
+
+std::vector<int> PatternMaker::outerLoop(int piece) const {
+	std::vector<int> outer;
+	double largest = -std::numeric_limits<double>::infinity();
+	for (const std::vector<int>& loop : boundaryLoops(flat_[piece].mesh)) {
+		double area = 0;
+		std::vector<int> vertices;
+		for (const int h : loop) {
+			const auto a = flat_[piece].positions.col(flat_[piece].mesh.start(h));
+			const auto b = flat_[piece].positions.col(flat_[piece].mesh.end(h));
+			area += a[0] * b[1] - a[1] * b[0];
+			vertices.push_back(patternVertex(piece, flat_[piece].mesh.start(h)));
+		}
+		if (area > largest) {
+			largest = area;
+			outer = std::move(vertices);
+		}
+	}
+	return outer;
+}
+
+void PatternMaker::describePieces() {
+	patterns_.pieces.resize(assembly_.patchCount());
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece) {
+		FlatPiece& flat = patterns_.pieces[piece];
+		flat.holes = static_cast<int>(loops_[piece].size()) - 1;
+		flat.cuts = flat_[piece].cuts;
+		flat.converged = flat_[piece].minimum.converged;
+		flat.iterations = flat_[piece].minimum.iterations;
+	}
+}
+
+} // namespace developable::detail

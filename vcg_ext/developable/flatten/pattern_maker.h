@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// pattern_maker.h: from the patches of an assembly to patterns, laid out and measured.
+#pragma once
+
+#include "flat_patterns.h"
+#include "panel_flattener.h"
+#include "panel_maker.h"
+
+namespace developable::detail {
+
+/// Puts panels together into patterns.
+class PatternMaker {
+public:
+	/// \param positions  3 x places
+	///
+	/// \throws PatchWithHandles  says how many have handles
+	PatternMaker(const PatchAssembly& assembly, const Positions& positions);
+
+	/// \param iterations  at most, for each panel
+	/// \return            false when the user asked for a stop
+	bool flattenPanels(int iterations, const Progress& progress);
+
+	/// Once, after the panels are flat.
+	/// \param gap  see FlattenOptions
+	FlatPatterns makePatterns(double gap);
+
+private:
+	void requireNoHandles() const;
+	void joinPanels();
+
+	/// Within a piece vertices follow the order of their places, so that a disk keeps the model's order.
+	void orderVertices();
+
+	int patternVertex(int piece, int panelVertex) const {
+		return patternVertex_[firstVertex_[piece] + panelVertex];
+	}
+
+	/// The boundary that encloses the largest area, as vertices of the patterns.
+	std::vector<int> outerLoop(int piece) const;
+
+	/// What only the making of a piece can tell.
+	void describePieces();
+
+	const PatchAssembly& assembly_;
+	const Positions& positions_;
+	PanelMaker maker_;
+	std::vector<PanelMesh> panels_;
+	std::vector<std::vector<std::vector<int>>> loops_; // per panel
+	std::vector<FlatPanel> flat_;
+	std::vector<int> firstVertex_;   // pieces + 1, where each one's vertices begin
+	std::vector<int> patternVertex_; // of every panel's vertices in turn
+	FlatPatterns patterns_;
+};
+
+} // namespace developable::detail

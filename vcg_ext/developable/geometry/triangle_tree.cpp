@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// triangle_tree.cpp: distances to triangles, and the search for the least.
+#include "triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace developable::detail {
+namespace {
+
+double squaredDistanceToSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& start,
+								const Eigen::Vector3d& end) {
+	const Eigen::Vector3d along = end - start, from = point - start;
+	const double length = along.squaredNorm();
+	const double share = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
+	return (from - share * along).squaredNorm();
+}
+
+/// vcglib has such a function too (PointDistanceBase), but it looks at one edge only when the point lies
+/// outside two, which is too far at an obtuse corner.
+double squaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+								 const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+	const Eigen::Vector3d normal = (b - a).cross(c - a);
+	const auto isInside = [&](const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
+		return (end - start).cross(point - start).dot(normal) > 0;
+	};
+	if (isInside(a, b) && isInside(b, c) && isInside(c, a)) {
+		const double height = normal.dot(point - a);
+		return height * height / normal.squaredNorm();
+	}
+	return std::min({squaredDistanceToSegment(point, a, b), squaredDistanceToSegment(point, b, c),
+					 squaredDistanceToSegment(point, c, a)});
+}
+
+} // namespace
+
+TriangleTree::TriangleTree(const Positions& vertices, const Eigen::Matrix3Xi& triangles)
+	: vertices_(vertices), triangles_(triangles) {
+	std::vector<int> numbers(triangles.cols());
+	std::vector<Eigen::AlignedBox3d> boxes(triangles.cols());
+	for (int t = 0; t < triangles.cols(); ++t) {
+		numbers[t] = t;
+		for (const int vertex : triangles.col(t))
+			boxes[t].extend(vertices.col(vertex));
+	}
+	tree_.init(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
+}
+
+double TriangleTree::distance(const Eigen::Vector3d& point) {
+	squaredDistance_ = squaredDistanceTo(nearest_, point);
+	descend(tree_.getRootIndex(), point);
+	return std::sqrt(squaredDistance_);
+}
+
+double TriangleTree::squaredDistanceTo(int triangle, const Eigen::Vector3d& point) const {
+	const auto corners = triangles_.col(triangle);
+	return squaredDistanceToTriangle(point, vertices_.col(corners[0]), vertices_.col(corners[1]),
+									 vertices_.col(corners[2]));
+}
+
+void TriangleTree::descend(int node, const Eigen::Vector3d& point) {
+	const int *box = nullptr, *boxEnd = nullptr, *triangle = nullptr, *triangleEnd = nullptr;
+	tree_.getChildren(node, box, boxEnd, triangle, triangleEnd);
+	for (; triangle != triangleEnd; ++triangle) {
+		const double squared = squaredDistanceTo(*triangle, point);
+		if (squared < squaredDistance_) {
+			squaredDistance_ = squared;
+			nearest_ = *triangle;
+		}
+	}
+	const auto distanceTo = [&](const int* child) {
+		return tree_.getVolume(*child).squaredExteriorDistance(point);
+	};
+	if (boxEnd - box == 2) {
+		const double first = distanceTo(box), second = distanceTo(box + 1);
+		const bool swapped = second < first;
+		visit(box[swapped], swapped ? second : first, point);
+		visit(box[!swapped], swapped ? first : second, point);
+	} else if (boxEnd - box == 1) {
+		visit(*box, distanceTo(box), point);
+	}
+}
+
+void TriangleTree::visit(int node, double squaredDistanceToBox, const Eigen::Vector3d& point) {
+	if (squaredDistanceToBox < squaredDistance_)
+		descend(node, point);
+}
+
+} // namespace developable::detail

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// linear.h: the front door of linear/: sparse symmetric positive definite systems, by factorisation or by
+// iteration.
+#pragma once
+
+#include "conjugate_gradients.h"
+#include "memory.h"
+#include "sparse_cholesky.h"
+#include "sparse_solver.h"

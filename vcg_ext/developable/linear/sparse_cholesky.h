@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sparse_cholesky.h: one face for CHOLMOD's supernodal factorisation and Eigen's own.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+
+namespace developable {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// The Cholesky factorisation of symmetric positive definite matrices of one pattern, of which only the lower
+/// triangle is read: by CHOLMOD (Chen et al. 2008) where the library was built with it, else by Eigen. The
+/// order of elimination is found once.
+class SparseCholesky {
+public:
+	SparseCholesky();
+	SparseCholesky(SparseCholesky&&) noexcept;
+	SparseCholesky& operator=(SparseCholesky&&) noexcept;
+	~SparseCholesky();
+
+	/// Finds the order of elimination. \return how much memory the factor will take, bytes
+	double analyze(const SparseMatrix& matrix);
+
+	/// Says whether the matrix is positive definite; if not, there is nothing to solve with.
+	bool factorize(const SparseMatrix& matrix);
+
+	/// For one right-hand side, or for one in each column.
+	Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) const;
+	Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSides) const;
+
+private:
+	class Factorization;
+
+	std::unique_ptr<Factorization> factorization_;
+	bool analyzed_ = false;
+};
+
+} // namespace developable

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sparse_solver.h: solves large systems by factorisation, or by iteration where memory would not do for that.
+#pragma once
+
+#include "sparse_cholesky.h"
+
+namespace developable {
+
+/// Solves with symmetric positive definite matrices of one pattern. Before the first factorisation its memory
+/// is estimated from the order of elimination; when there is not that much, conjugate gradients with an
+/// incomplete factorisation serve instead: exact enough for steps that are corrected by the next one.
+class SparseSolver {
+public:
+	/// \param memoryLimit  bytes that a factor may take; 0: what the machine has
+	explicit SparseSolver(double memoryLimit = 0);
+	SparseSolver(SparseSolver&&) noexcept;
+	SparseSolver& operator=(SparseSolver&&) noexcept;
+	~SparseSolver();
+
+	/// Of the matrix only the lower triangle is read. \return whether it succeeded
+	bool factorize(const SparseMatrix& lower);
+
+	/// For one right-hand side, or for one in each column.
+	Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) const;
+	Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSides) const;
+
+	/// Whether memory would not do for a factorisation.
+	bool iterates() const { return iteration_ != nullptr; }
+
+private:
+	class Iteration;
+
+	double memoryLimit_;
+	bool decided_ = false;
+	SparseCholesky cholesky_;
+	std::unique_ptr<Iteration> iteration_;
+};
+
+} // namespace developable

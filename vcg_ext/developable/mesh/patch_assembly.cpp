@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// patch_assembly.cpp: lengths and areas of an assembly.
+#include "patch_assembly.h"
+
+namespace developable {
+
+int PatchAssembly::interiorCopyCount() const {
+	return static_cast<int>(std::count(copyInterior.begin(), copyInterior.end(), 1));
+}
+
+int PatchAssembly::assemblingPlaceCount() const {
+	return static_cast<int>(std::count(placeAssembling.begin(), placeAssembling.end(), 1));
+}
+
+Eigen::VectorXd edgeLengths(const PatchAssembly& assembly, const Positions& positions) {
+	Eigen::VectorXd lengths(assembly.edgeCount());
+	for (int edge = 0; edge < assembly.edgeCount(); ++edge)
+		lengths[edge] =
+			(positions.col(assembly.edgePlaces(1, edge)) - positions.col(assembly.edgePlaces(0, edge)))
+				.norm();
+	return lengths;
+}
+
+double meanEdgeLength(const PatchAssembly& assembly) {
+	return edgeLengths(assembly, assembly.originalPositions).mean();
+}
+
+int countZeroAreaTriangles(const PatchAssembly& assembly, const Positions& positions) {
+	int count = 0;
+	for (const auto& places : assembly.trianglePlaces.colwise()) {
+		const Eigen::Vector3d a = positions.col(places[1]) - positions.col(places[0]);
+		const Eigen::Vector3d b = positions.col(places[2]) - positions.col(places[0]);
+		const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+		// Twice the area is height times longest edge.
+		if (!(a.cross(b).norm() >= assembly.leastHeightRatio * longest) || longest == 0)
+			++count;
+	}
+	return count;
+}
+
+} // namespace developable

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bending_metric.h: how long a displacement is: how far it moves the surface, and how much it bends.
+#pragma once
+
+#include "developable/geometry/geometry.h"
+#include "developable/linear/linear.h"
+#include "developable/mesh/mesh.h"
+
+namespace developable::detail {
+
+/// The area of each triangle.
+Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& positions);
+
+/// m_q, the share that each place has of the whole area: a third of the triangles round it.
+Eigen::VectorXd placeMasses(const PatchAssembly& assembly);
+
+/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_e α A_p² |K_e d|² /
+/// (A_1 + A_2)) / A: e is a hinge (an inner edge of a patch with its two triangles of area A_1 and A_2), K_e
+/// d the jump across it of the displacement's slope times its length (Bergou et al. 2006, A Quadratic Bending
+/// Model for Inextensible Surfaces, Section 3), A_p the patch's area and A that of all patches. The second
+/// sum tends to α A_p² ∫|d''|², so α is a number without unit and means the same on a model of any size and
+/// tessellation. Folding along a seam costs nothing. Rows of places that are held still are those of a
+/// diagonal matrix.
+class BendingMatrix {
+public:
+	/// \param masses      m_q / A, per place
+	/// \param smoothness  α, per patch
+	BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses,
+				  const Eigen::VectorXd& smoothness);
+
+	/// Its lower triangle.
+	SparseMatrix lower() const;
+
+private:
+	void addHinges(const Eigen::VectorXd& smoothness);
+
+	void addHinge(int halfEdge, int across, double weight);
+
+	const PatchAssembly& assembly_;
+	const Eigen::Matrix3Xd cotangents_;
+	std::vector<Eigen::Triplet<double>> entries_;
+};
+
+/// The metric of the constrained Newton method: W is a BendingMatrix with the places' own masses.
+class BendingMetric {
+public:
+	/// \param smoothness  α, per patch
+	BendingMetric(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness)
+		: assembly_(assembly), placeMass_(placeMasses(assembly)),
+		  lower_(BendingMatrix(assembly, placeMass_, smoothness).lower()), diagonal_(lower_.diagonal()),
+		  stiffness_(Eigen::VectorXd::Zero(assembly.triangleCount())) {}
+
+	/// How often it may be made stiffer before a step.
+	static constexpr int stiffenings = 4;
+
+	/// Makes triangles move rather as one piece: adds Σ ρ_t |d_i − d_j|² over their edges, with ρ_t a tenth
+	/// of what moving a corner costs, and four times as much each time again. Calls for another
+	/// factorisation.
+	void stiffen(const std::vector<int>& triangles);
+
+	/// Whether so many triangles are stiffer that they are no accidents of the triangulation: then the shape
+	/// itself needs a cut.
+	bool tooStiff() const;
+
+	/// Has to be called before solve.
+	void factorize();
+
+	/// m_q.
+	const Eigen::VectorXd& placeMass() const { return placeMass_; }
+
+	/// The lower triangle of W, the same for all three coordinates.
+	const SparseMatrix& matrix() const { return lower_; }
+
+	/// W d.
+	Positions apply(const Positions& displacement) const;
+
+	/// W⁻¹ f; f must be zero at places that are held still.
+	Positions solve(const Positions& force) const;
+
+	double squaredNorm(const Positions& displacement) const;
+
+private:
+	/// Adds stiffness · |d_i − d_j|² for two places of a triangle. The matrix has entries for them where the
+	/// triangle has a neighbour.
+	void tie(int i, int j, double stiffness);
+
+	const PatchAssembly& assembly_;
+	Eigen::VectorXd placeMass_;
+	SparseMatrix lower_;
+	Eigen::VectorXd diagonal_;  // of the matrix at first
+	Eigen::VectorXd stiffness_; // ρ, per triangle
+	SparseCholesky factorization_;
+};
+
+} // namespace developable::detail

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// coarsening.cpp: collapses places into neighbours, sweep by sweep.
+#include "coarsening.h"
+
+namespace developable::detail {
+
+Coarsening::Coarsening(const PatchAssembly& assembly)
+	: assembly_(assembly), triangles_(assembly.triangleCopies), alive_(assembly.triangleCount(), 1),
+	  placeCount_(assembly.placeCount()) {
+	fans_.resize(assembly.copyCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		for (int i = assembly.cornerStart[copy]; i < assembly.cornerStart[copy + 1]; ++i)
+			fans_[copy].push_back(assembly.corners[i] / 3);
+	copies_.resize(assembly.placeCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		copies_[assembly.placeOfCopy[copy]].push_back(copy);
+	removed_.assign(assembly.placeCount(), 0);
+	findCurves();
+}
+
+PartialAssembly Coarsening::coarsen(int placesWanted) {
+	int before = 0;
+	do {
+		before = placeCount_;
+		sweep(placesWanted);
+	} while (placeCount_ > placesWanted && placeCount_ < 0.97 * before);
+	return partialAssembly(assembly_, trianglesWhere(triangles_, [&](int t) { return alive_[t]; }));
+}
+
+Eigen::Vector3d Coarsening::position(int copy) const {
+	return assembly_.originalPositions.col(assembly_.placeOfCopy[copy]);
+}
+
+void Coarsening::findCurves() {
+	curveNeighbours_.assign(assembly_.placeCount(), {-1, -1});
+	corner_.assign(assembly_.placeCount(), 0);
+	for (int h = 0; h < 3 * assembly_.triangleCount(); ++h)
+		if (assembly_.joinedHalfEdge[h] < 0) {
+			const int a = assembly_.trianglePlaces(h % 3, h / 3);
+			const int b = assembly_.trianglePlaces((h % 3 + 1) % 3, h / 3);
+			addCurveNeighbour(a, b);
+			addCurveNeighbour(b, a);
+		}
+	for (int place = 0; place < assembly_.placeCount(); ++place) {
+		const auto [a, b] = curveNeighbours_[place];
+		if (a >= 0 && b < 0)
+			corner_[place] = 1;
+	}
+}
+
+bool Coarsening::turnsSharply(int place) const {
+	const auto [a, b] = curveNeighbours_[place];
+	if (a < 0)
+		return false;
+	const Eigen::Vector3d here = assembly_.originalPositions.col(place);
+	return (here - assembly_.originalPositions.col(a))
+			   .normalized()
+			   .dot((assembly_.originalPositions.col(b) - here).normalized()) < leastTurn;
+}
+
+void Coarsening::addCurveNeighbour(int place, int neighbour) {
+	auto& [a, b] = curveNeighbours_[place];
+	if (a == neighbour || b == neighbour)
+		return;
+	if (a < 0)
+		a = neighbour;
+	else if (b < 0)
+		b = neighbour;
+	else
+		corner_[place] = 1;
+}
+
+void Coarsening::sweep(int placesWanted) {
+	locked_.assign(assembly_.placeCount(), 0);
+	for (int place = 0; place < assembly_.placeCount() && placeCount_ > placesWanted; ++place)
+		if (!removed_[place] && !locked_[place] && !corner_[place] && !turnsSharply(place) && mayGo(place))
+			remove(place);
+}
+
+bool Coarsening::mayGo(int place) const {
+	if (static_cast<int>(fans_[copies_[place][0]].size()) > largestFan)
+		return false;
+	if (!assembly_.placeFixed[place])
+		return true;
+	for (const int copy : copies_[place])
+		for (const int t : fans_[copy])
+			for (const int other : triangles_.col(t))
+				if (!assembly_.placeFixed[assembly_.placeOfCopy[other]])
+					return false;
+	return true;
+}
+
+void Coarsening::remove(int place) {
+	double least = worstCotangent;
+	int best = -1;
+	const auto consider = [&](int neighbour) {
+		const double worst = worstAfter(place, neighbour, least);
+		if (worst < least) {
+			least = worst;
+			best = neighbour;
+		}
+	};
+	if (curveNeighbours_[place][0] >= 0)
+		for (const int neighbour : curveNeighbours_[place])
+			consider(neighbour);
+	else
+		for (const int t : fans_[copies_[place][0]])
+			consider(assembly_.placeOfCopy[triangles_((cornerOf(t, copies_[place][0]) + 1) % 3, t)]);
+	if (best >= 0)
+		collapse(place, best);
+}
+
+int Coarsening::cornerOf(int triangle, int copy) const {
+	const auto corners = triangles_.col(triangle);
+	return corners[0] == copy ? 0 : corners[1] == copy ? 1 : 2;
+}
+
+int Coarsening::copyBeside(int copy, int place, int& shared) const {
+	int found = -1;
+	shared = 0;
+	for (const int t : fans_[copy])
+		for (const int other : triangles_.col(t))
+			if (other != copy && assembly_.placeOfCopy[other] == place) {
+				if (found >= 0 && other != found)
+					shared = 100; // two copies of one place in one fan: leave it
+				found = other;
+				++shared;
+			}
+	return found;
+}
+
+int Coarsening::commonNeighbours(int copy, int other) const {
+	std::vector<int> ring[2];
+	for (int side = 0; side < 2; ++side) {
+		for (const int t : fans_[side ? other : copy])
+			for (const int c : triangles_.col(t))
+				ring[side].push_back(c);
+		std::sort(ring[side].begin(), ring[side].end());
+		ring[side].erase(std::unique(ring[side].begin(), ring[side].end()), ring[side].end());
+	}
+	std::vector<int> common;
+	std::set_intersection(ring[0].begin(), ring[0].end(), ring[1].begin(), ring[1].end(),
+						  std::back_inserter(common));
+	return static_cast<int>(common.size()) - 2;
+}
+
+double Coarsening::worstAfter(int place, int neighbour, double limit) const {
+	constexpr double never = std::numeric_limits<double>::infinity();
+	const bool onCurve = curveNeighbours_[place][0] >= 0;
+	double worst = -never;
+	for (const int copy : copies_[place]) {
+		int shared = 0;
+		const int other = copyBeside(copy, neighbour, shared);
+		if (other < 0 || shared != (onCurve ? 1 : 2))
+			return never;
+		for (const int t : fans_[copy]) {
+			if (hasCopy(t, other))
+				continue;
+			worst = std::max(worst, cotangentAfter(t, copy, other));
+			if (worst >= limit)
+				return never;
+		}
+		// The link condition (Dey et al. 1999): else the patch would change its topology.
+		if (commonNeighbours(copy, other) != shared || static_cast<int>(fans_[copy].size()) <= shared)
+			return never;
+	}
+	return worst;
+}
+
+double Coarsening::cotangentAfter(int triangle, int copy, int other) const {
+	Eigen::Vector3d before[3], after[3];
+	for (int i = 0; i < 3; ++i) {
+		const int c = triangles_(i, triangle);
+		before[i] = position(c);
+		after[i] = c == copy ? position(other) : before[i];
+	}
+	const Eigen::Vector3d normalBefore = (before[1] - before[0]).cross(before[2] - before[0]);
+	const Eigen::Vector3d normal = (after[1] - after[0]).cross(after[2] - after[0]);
+	const double doubleArea = normal.norm();
+	if (!(normal.dot(normalBefore) > leastNormal * doubleArea * normalBefore.norm()))
+		return std::numeric_limits<double>::infinity();
+	double worst = -std::numeric_limits<double>::infinity();
+	for (int i = 0; i < 3; ++i)
+		worst =
+			std::max(worst, (after[(i + 1) % 3] - after[i]).dot(after[(i + 2) % 3] - after[i]) / doubleArea);
+	return worst;
+}
+
+void Coarsening::collapse(int place, int neighbour) {
+	for (const int copy : copies_[place]) {
+		int shared = 0;
+		const int other = copyBeside(copy, neighbour, shared);
+		for (const int t : fans_[copy])
+			for (const int c : triangles_.col(t))
+				locked_[assembly_.placeOfCopy[c]] = 1;
+		for (const int t : fans_[copy]) {
+			if (hasCopy(t, other)) {
+				alive_[t] = 0;
+				for (const int c : triangles_.col(t))
+					if (c != copy)
+						fans_[c].erase(std::find(fans_[c].begin(), fans_[c].end(), t));
+			} else {
+				triangles_(cornerOf(t, copy), t) = other;
+				fans_[other].push_back(t);
+			}
+		}
+		fans_[copy] = {};
+	}
+	removed_[place] = 1;
+	--placeCount_;
+	for (const int a : curveNeighbours_[place])
+		if (a >= 0)
+			for (int& b : curveNeighbours_[a])
+				if (b == place)
+					b = a == neighbour ? otherCurveNeighbour(place, neighbour) : neighbour;
+}
+
+int Coarsening::otherCurveNeighbour(int place, int neighbour) const {
+	const auto [a, b] = curveNeighbours_[place];
+	return a == neighbour ? b : a;
+}
+
+} // namespace developable::detail

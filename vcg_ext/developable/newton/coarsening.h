@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// coarsening.h: the same patches with fewer vertices, for methods that work from coarse to fine.
+#pragma once
+
+#include "developable/mesh/mesh.h"
+
+namespace developable::detail {
+
+/// Takes places out by collapsing each into a neighbour, as independent sets (no two of one sweep are
+/// neighbours; Dobkin and Kirkpatrick 1985, Lee et al. 1998). An inner place goes into the neighbour that
+/// leaves the best triangles; a place on a seam or boundary only along it, in all its patches at once, and
+/// not where the curve ends, branches or turns sharply. Places that are held still stay unless all around
+/// them do.
+class Coarsening {
+public:
+	explicit Coarsening(const PatchAssembly& assembly);
+
+	/// Sweeps until so many places are left, or no more can go.
+	PartialAssembly coarsen(int placesWanted);
+
+private:
+	static constexpr double leastTurn = 0.9;    ///< cosine of the turn at which a curve has a corner
+	static constexpr double leastNormal = 0.5;  ///< cosine of the angle a triangle may turn by
+	static constexpr double worstCotangent = 4; ///< of a new triangle's angles
+	static constexpr int largestFan = 9; ///< of a place that goes: it would leave a fan that is no better
+
+	Eigen::Vector3d position(int copy) const;
+
+	/// Places inside a patch have no curve neighbours, those on a smooth curve have two.
+	void findCurves();
+
+	bool turnsSharply(int place) const;
+
+	void addCurveNeighbour(int place, int neighbour);
+
+	void sweep(int placesWanted);
+
+	/// Held places define where nothing moves: one may go only from among its like.
+	bool mayGo(int place) const;
+
+	void remove(int place);
+
+	int cornerOf(int triangle, int copy) const;
+
+	/// The copy of a place beside this copy, or -1; `shared` becomes the number of triangles with both.
+	int copyBeside(int copy, int place, int& shared) const;
+
+	/// Copies joined to both by an edge.
+	int commonNeighbours(int copy, int other) const;
+
+	/// The largest cotangent that would be left round a place, +∞ when it can't go there.
+	double worstAfter(int place, int neighbour, double limit) const;
+
+	bool hasCopy(int triangle, int copy) const { return (triangles_.col(triangle).array() == copy).any(); }
+
+	double cotangentAfter(int triangle, int copy, int other) const;
+
+	void collapse(int place, int neighbour);
+
+	int otherCurveNeighbour(int place, int neighbour) const;
+
+	const PatchAssembly& assembly_;
+	Eigen::Matrix3Xi triangles_; // copies
+	std::vector<char> alive_;
+	int placeCount_;
+	std::vector<std::vector<int>> fans_, copies_; // triangles of a copy, copies of a place
+	std::vector<std::array<int, 2>> curveNeighbours_;
+	std::vector<char> corner_, removed_, locked_;
+};
+
+} // namespace developable::detail

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// constrained_newton.h: the nearest developable shape: g = 0 in every patch, at minimum deformation (Eq. 6).
+#pragma once
+
+#include "developable/mesh/mesh.h"
+#include "resting_patches.h"
+
+namespace developable {
+
+struct ConstrainedNewtonOptions {
+	double curvatureTolerance = 1e-4; ///< total absolute curvature of a patch that counts as developable, rad
+	double angleTolerance = 1e-4;     ///< greatest angle defect of a developable point, rad
+	int maxIterations = 200;          ///< steps on each level, each with one linear system
+	/// Weight α of bending against distance, without unit (see detail::BendingMetric). Larger: fewer
+	/// wrinkles, and the surface moves more.
+	double smoothness = 3e-6;
+	/// Bytes that the factor of a linear system may take; more is solved by iteration. 0: what the machine
+	/// has.
+	double memoryLimit = 0;
+};
+
+struct ConstrainedNewtonReport : OptimizationReport {
+	/// Total absolute curvature that each patch is left with, rad, in double precision.
+	std::vector<double> patchCurvature;
+	int worstPatch = 0;    ///< the patch with most of it left
+	int worstCopy = 0;     ///< the copy of that patch with the largest absolute angle defect
+	double smoothness = 0; ///< the largest α that a patch was given; more than asked for where that failed
+};
+
+namespace detail {
+
+void requireValid(const ConstrainedNewtonOptions& options);
+
+/// What of the report is read off the shape.
+void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
+				   ConstrainedNewtonReport& report);
+
+/// How many patches need a cut, and where.
+std::string describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
+							  const CurvatureGoal& goal, const ConstrainedNewtonReport& report);
+
+} // namespace detail
+
+/// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
+/// most the curvature tolerance and no angle defect above the angle tolerance. No triangle is flipped and
+/// none becomes a sliver (see detail::Soundness). Where that leads nowhere, triangles that are in the way are
+/// made stiffer, and patches then tried again with 4, 16 and 64 times the smoothness; patches that need a cut
+/// do not hold up the others.
+///
+/// \param positions  3 x places: where to start, and the result; untouched when stopped. Distance is measured
+///                   from the assembly's original positions.
+/// \return           Converged; NothingToDo; NeedsCut: some patches have no developable shape near;
+///                   Stalled: places that are held still stand in the way; LimitReached; Stopped. When not
+///                   converged, the result is the soundest near shape found, with less G than at the start.
+/// \throws ClosedPatch, NothingFree, InvalidParameter
+ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positions& positions,
+										  const ConstrainedNewtonOptions& options,
+										  const Progress& progress = {});
+
+} // namespace developable

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// curvature_goal.cpp: curvature by patch, and shapes compared.
+#include "curvature_goal.h"
+
+namespace developable::detail {
+
+Eigen::ArrayXd patchCurvatures(const PatchAssembly& assembly, const Eigen::VectorXd& defects) {
+	Eigen::ArrayXd curvatures = Eigen::ArrayXd::Zero(assembly.patchCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		curvatures[assembly.patchOfCopy[copy]] += std::abs(defects[copy]);
+	return curvatures;
+}
+
+Eigen::Array<bool, Eigen::Dynamic, 1> CurvatureGoal::unmetPatches(const PatchAssembly& assembly,
+																  const Eigen::VectorXd& defects) const {
+	Eigen::ArrayXd greatest = Eigen::ArrayXd::Zero(assembly.patchCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
+		double& ofPatch = greatest[assembly.patchOfCopy[copy]];
+		ofPatch = std::max(ofPatch, std::abs(defects[copy]));
+	}
+	return !(patchCurvatures(assembly, defects) <= curvatureTolerance && greatest <= angleTolerance);
+}
+
+double CurvatureGoal::shareRemoved(double startCurvature, double curvature) const {
+	const double whole = std::log(startCurvature / curvatureTolerance);
+	const double done = std::log(startCurvature / std::max(curvature, curvatureTolerance));
+	return whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0;
+}
+
+bool holdsPlaces(const PatchAssembly& assembly) {
+	return std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
+}
+
+bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others,
+			double share) {
+	return detectFunction(defects) < share * detectFunction(others) &&
+		   (holdsPlaces(assembly) || defects.cwiseAbs().sum() < others.cwiseAbs().sum());
+}
+
+double farthestDisplacement(const PatchAssembly& assembly, const Positions& positions) {
+	return (positions - assembly.originalPositions).colwise().norm().maxCoeff();
+}
+
+std::string describeCurvature(double start, double left, int steps) {
+	char text[160];
+	std::snprintf(text, sizeof text,
+				  "%d steps: %.4g %% of the total absolute curvature removed, %.3g rad left", steps,
+				  100 * (1 - left / start), left);
+	return text;
+}
+
+} // namespace developable::detail

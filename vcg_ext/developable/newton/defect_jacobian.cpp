@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// defect_jacobian.cpp: the derivative of all angle defects, by place.
+#include "defect_jacobian.h"
+
+namespace developable::detail {
+
+DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::VectorXd& placeMass)
+	: assembly_(assembly), rowOfCopy_(assembly.copyCount(), -1) {
+	const Eigen::VectorXd areas = copyAreas(assembly, assembly.originalPositions);
+	const double area = areas.sum();
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		if (assembly.copyInterior[copy]) {
+			rowOfCopy_[copy] = static_cast<int>(copyOfRow_.size());
+			copyOfRow_.push_back(copy);
+		}
+	rowScale_.resize(rowCount());
+	for (int row = 0; row < rowCount(); ++row)
+		rowScale_[row] = std::sqrt(area / areas[copyOfRow_[row]]);
+	inverseMass_ = placeMass.cwiseInverse();
+	findBlocks();
+}
+
+Eigen::VectorXd DefectJacobian::scaled(const Eigen::VectorXd& defects) const {
+	return defects(copyOfRow_).cwiseProduct(rowScale_);
+}
+
+void DefectJacobian::linearize(const Positions& positions) {
+	blocks_.setZero();
+	for (int t = 0; t < assembly_.triangleCount(); ++t) {
+		const auto places = assembly_.trianglePlaces.col(t);
+		const AngleGradients angles(
+			TriangleFrame(positions.col(places[0]), positions.col(places[1]), positions.col(places[2])));
+		for (int corner = 0; corner < 3; ++corner)
+			for (int vertex = 0; vertex < 3; ++vertex) {
+				const int block = blockOf_[9 * t + 3 * corner + vertex];
+				if (block >= 0)
+					blocks_.col(block) -= angles.of(corner, vertex);
+			}
+	}
+	for (int block = 0; block < blocks_.cols(); ++block)
+		blocks_.col(block) *= rowScale_[rowOfBlock_[block]];
+}
+
+Eigen::VectorXd DefectJacobian::apply(const Positions& displacement) const {
+	Eigen::VectorXd result = Eigen::VectorXd::Zero(rowCount());
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
+			result[rowOfBlock_[block]] += blocks_.col(block).dot(displacement.col(place));
+	return result;
+}
+
+Positions DefectJacobian::applyTransposed(const Eigen::VectorXd& multipliers) const {
+	Positions result = Positions::Zero(3, assembly_.placeCount());
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
+			result.col(place) += multipliers[rowOfBlock_[block]] * blocks_.col(block);
+	return result;
+}
+
+SparseMatrix DefectJacobian::along(const Positions& directions) const {
+	std::vector<double> values(rowOfBlock_.size());
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
+			values[block] = blocks_.col(block).dot(directions.col(place));
+	return Eigen::Map<const SparseMatrix>(rowCount(), assembly_.placeCount(), values.size(),
+										  blockStart_.data(), rowOfBlock_.data(), values.data());
+}
+
+const SparseMatrix& DefectJacobian::massProduct(double shift) {
+	if (productEntry_.empty())
+		findProducts();
+	Eigen::Map<Eigen::VectorXd> values(product_.valuePtr(), product_.nonZeros());
+	values.setZero();
+	std::size_t next = 0;
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		for (int i = blockStart_[place]; i < blockStart_[place + 1]; ++i)
+			for (int j = blockStart_[place]; j <= i; ++j)
+				values[productEntry_[next++]] += inverseMass_[place] * blocks_.col(i).dot(blocks_.col(j));
+	for (int row = 0; row < rowCount(); ++row)
+		values[product_.outerIndexPtr()[row]] += shift;
+	return product_;
+}
+
+void DefectJacobian::findBlocks() {
+	std::vector<int> useStart(assembly_.placeCount() + 1, 0);
+	forEachUse([&](int, int, int place) { ++useStart[place + 1]; });
+	std::partial_sum(useStart.begin(), useStart.end(), useStart.begin());
+	std::vector<std::pair<int, int>> uses(useStart.back()); // row, 9 * triangle + 3 * corner + vertex
+	std::vector<int> next(useStart.begin(), useStart.end() - 1);
+	forEachUse([&](int use, int row, int place) { uses[next[place]++] = {row, use}; });
+	blockOf_.assign(9 * static_cast<std::size_t>(assembly_.triangleCount()), -1);
+	blockStart_.assign(1, 0);
+	rowOfBlock_.reserve(uses.size() / 2);
+	for (int place = 0; place < assembly_.placeCount(); ++place) {
+		std::sort(uses.begin() + useStart[place], uses.begin() + useStart[place + 1]);
+		for (int i = useStart[place]; i < useStart[place + 1]; ++i) {
+			if (i == useStart[place] || uses[i].first != uses[i - 1].first)
+				rowOfBlock_.push_back(uses[i].first);
+			blockOf_[uses[i].second] = static_cast<int>(rowOfBlock_.size()) - 1;
+		}
+		blockStart_.push_back(static_cast<int>(rowOfBlock_.size()));
+	}
+	blocks_.resize(3, rowOfBlock_.size());
+}
+
+void DefectJacobian::findProducts() {
+	std::vector<Eigen::Triplet<double>> entries;
+	entries.reserve(rowCount());
+	for (int row = 0; row < rowCount(); ++row)
+		entries.emplace_back(row, row, 0);
+	forEachProduct([&](int row, int column) { entries.emplace_back(row, column, 0); });
+	product_.resize(rowCount(), rowCount());
+	product_.setFromTriplets(entries.begin(), entries.end());
+	productEntry_.reserve(entries.size());
+	forEachProduct([&](int row, int column) {
+		const int* rows = product_.innerIndexPtr();
+		const int *begin = rows + product_.outerIndexPtr()[column],
+				  *end = rows + product_.outerIndexPtr()[column + 1];
+		productEntry_.push_back(static_cast<int>(std::lower_bound(begin, end, row) - rows));
+	});
+}
+
+} // namespace developable::detail

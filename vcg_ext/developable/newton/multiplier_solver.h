@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// multiplier_solver.h: the linear systems of the constrained Newton method, in their multipliers.
+#pragma once
+
+#include "bending_metric.h"
+#include "defect_jacobian.h"
+
+#include <functional>
+
+namespace developable::detail {
+
+/// Solves (J W⁻¹ Jᵀ + ε) y = b by preconditioned conjugate gradients. W is factorised once and for all by the
+/// metric and serves all three coordinates; a step costs one solve with it. The preconditioner is that of
+/// Elman (1999, Preconditioning for the steady-state Navier-Stokes equations with low viscosity, "BFBt") for
+/// the system with slack, [J √ε][W 0; 0 1]⁻¹[J √ε]ᵀ: with the masses M and 1/κ in place of W, P⁻¹ = K⁻¹ (J
+/// M⁻¹ W M⁻¹ Jᵀ + ε κ²) K⁻¹, where K = J M⁻¹ Jᵀ + ε κ has one unknown a vertex and is factorised anew for
+/// every J. It keeps the number of steps at some tens whatever ε and the tessellation.
+class MultiplierSolver {
+public:
+	/// Called once a step; returns false to ask for a stop.
+	using MayGoOn = std::function<bool()>;
+
+	MultiplierSolver(const BendingMetric& metric, DefectJacobian& jacobian)
+		: metric_(metric), jacobian_(jacobian), inverseMass_(metric.placeMass().cwiseInverse()) {}
+
+	/// J W⁻¹ Jᵀ y.
+	Eigen::VectorXd apply(const Eigen::VectorXd& multipliers) const;
+
+	/// About the largest eigenvalue of J W⁻¹ Jᵀ; `start` is a first guess at its eigenvector.
+	double findGreatestResponse(Eigen::VectorXd start);
+
+	/// \param tolerance  on the residual, as a share of the right-hand side
+	/// \param y          the first guess; becomes the solution, or the best within the limit of steps
+	/// \return           false when asked to stop
+	bool solve(const Eigen::VectorXd& b, double epsilon, double tolerance, Eigen::VectorXd& y,
+			   const MayGoOn& mayGoOn);
+
+private:
+	static constexpr int stepLimit = 200;
+	static constexpr double plainAbove = 0.01; ///< with ε this share of the response, it does without
+	static constexpr double slackMass = 100;   ///< κ
+
+	/// Should rounding spoil K, plain conjugate gradients remain.
+	bool factorize(double epsilon);
+
+	Eigen::VectorXd preconditioner(const Eigen::VectorXd& residual, double epsilon) const;
+
+	const BendingMetric& metric_;
+	DefectJacobian& jacobian_;
+	Eigen::VectorXd inverseMass_;
+	SparseCholesky factorization_;
+	double greatestResponse_ = 0;
+};
+
+} // namespace developable::detail

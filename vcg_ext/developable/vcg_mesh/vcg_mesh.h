@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// vcg_mesh.h: the front door of vcg_mesh/, the only place that walks a vcg mesh: reads it into arrays and
+// writes positions back. All of it is templates, for any version of vcglib and any type of mesh.
+#pragma once
+
+#include "developable/mesh/mesh.h"
+
+#include <vcg/complex/complex.h>
+
+#include <map>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace developable {
+namespace detail {
+
+/// Gives equal keys equal numbers.
+template <class Key>
+class Labels {
+public:
+	int operator()(const Key& key) {
+		return numbers_.emplace(key, static_cast<int>(numbers_.size())).first->second;
+	}
+
+private:
+	std::map<Key, int> numbers_;
+};
+
+template <class FaceType>
+auto colourKey(const FaceType& face) {
+	const auto& colour = face.cC();
+	return std::make_tuple(colour[0], colour[1], colour[2], colour[3]);
+}
+
+/// The labels of a mesh's corners, which say where its seams are (see TriangleMesh::cornerLabel).
+template <class MeshType>
+std::vector<int> cornerLabels(const MeshType& mesh, SeamKind seams) {
+	std::vector<int> labels;
+	const auto append = [&](auto labelOf) {
+		for (const auto& face : mesh.face)
+			for (int corner = 0; !face.IsD() && corner < 3; ++corner)
+				labels.push_back(labelOf(face, corner));
+	};
+	switch (seams) {
+	case SeamKind::ConnectedComponents:
+		break;
+	case SeamKind::FaceColour:
+		if (!vcg::tri::HasPerFaceColor(mesh))
+			throw MissingAttribute("The mesh has no face colours to tell patches by: colour its faces, or "
+								   "choose other patches.");
+		append([label = Labels<decltype(colourKey(mesh.face[0]))>()](const auto& face, int) mutable {
+			return label(colourKey(face));
+		});
+		break;
+	case SeamKind::TextureIslands:
+		if (!vcg::tri::HasPerWedgeTexCoord(mesh))
+			throw MissingAttribute("The mesh has no texture coordinates per face corner to tell patches by: "
+								   "parameterize it, or choose other patches.");
+		append([label = Labels<std::tuple<double, double, int>>()](const auto& face, int corner) mutable {
+			const auto& texture = face.cWT(corner);
+			return label(std::make_tuple(double(texture.U()), double(texture.V()), int(texture.N())));
+		});
+		break;
+	case SeamKind::FaceQuality:
+		if (!vcg::tri::HasPerFaceQuality(mesh))
+			throw MissingAttribute(
+				"The mesh has no face quality to tell patches by: compute one, or choose other patches.");
+		append(
+			[label = Labels<double>()](const auto& face, int) mutable { return label(double(face.cQ())); });
+		break;
+	}
+	return labels;
+}
+
+} // namespace detail
+
+/// Reads a vcg mesh of any scalar into arrays. Deleted vertices keep their column; deleted faces are left
+/// out.
+/// \throws MissingAttribute  when the mesh lacks what the seams are told by
+template <class MeshType>
+TriangleMesh readTriangles(const MeshType& mesh, SeamKind seams = SeamKind::ConnectedComponents) {
+	TriangleMesh result;
+	// Heights are lost sooner where coordinates are float.
+	if (std::is_same_v<typename MeshType::ScalarType, float>)
+		result.leastHeightRatio = 1e-6;
+	const int vertexCount = static_cast<int>(mesh.vert.size());
+	result.positions = Positions::Zero(3, vertexCount);
+	result.vertexSelected.assign(vertexCount, 0);
+	for (int vertex = 0; vertex < vertexCount; ++vertex) {
+		const auto& source = mesh.vert[vertex];
+		if (source.IsD())
+			continue;
+		result.positions.col(vertex) << source.cP()[0], source.cP()[1], source.cP()[2];
+		result.vertexSelected[vertex] = source.IsS();
+	}
+	result.triangles.resize(3, mesh.fn);
+	result.triangleSelected.reserve(mesh.fn);
+	result.face.reserve(mesh.fn);
+	for (std::size_t face = 0; face < mesh.face.size(); ++face) {
+		const auto& source = mesh.face[face];
+		if (source.IsD())
+			continue;
+		for (int corner = 0; corner < 3; ++corner)
+			result.triangles(corner, result.face.size()) =
+				static_cast<int>(vcg::tri::Index(mesh, source.cV(corner)));
+		result.triangleSelected.push_back(source.IsS());
+		result.face.push_back(static_cast<int>(face));
+	}
+	result.cornerLabel = detail::cornerLabels(mesh, seams);
+	return result;
+}
+
+/// Reads a vcg mesh into patches; see assemblePatches and readTriangles for what is thrown.
+template <class MeshType>
+PatchAssembly readPatches(const MeshType& mesh, const PatchOptions& options = {}) {
+	return assemblePatches(readTriangles(mesh, options.seams), options);
+}
+
+/// The positions as a mesh with that scalar holds them.
+template <class Scalar>
+Positions rounded(const Positions& positions) {
+	return positions.cast<Scalar>().template cast<double>();
+}
+
+/// Writes the places' positions to all their mesh vertices; other vertices are left alone.
+template <class MeshType>
+void writePositions(MeshType& mesh, const PatchAssembly& assembly, const Positions& positions) {
+	using Scalar = typename MeshType::ScalarType;
+	for (std::size_t vertex = 0; vertex < assembly.placeOfVertex.size(); ++vertex) {
+		const int place = assembly.placeOfVertex[vertex];
+		if (place < 0)
+			continue;
+		for (int axis = 0; axis < 3; ++axis)
+			mesh.vert[vertex].P()[axis] = static_cast<Scalar>(positions(axis, place));
+	}
+}
+
+} // namespace developable
