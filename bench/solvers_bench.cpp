@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // solvers_bench: makes shapes, runs one method on one mesh, and measures what it did; see solvers.py.
-#include "developable/newton/constrained_newton.h"
 #include "developable/flatten/flatten.h"
-#include "developable/local/local_method.h"
-#include "developable/penalty/penalty_method.h"
 #include "developable/geometry/geometry.h"
+#include "developable/local/local_method.h"
+#include "developable/newton/constrained_newton.h"
+#include "developable/penalty/penalty_method.h"
 
+#include "least_norm.h"
 #include "support/shapes.h"
 
-#include <Eigen/SparseCholesky>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -73,24 +73,6 @@ void writeOff(const std::string& path, const Positions& positions, const Eigen::
 		file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
 
-/// Wang 2008 (Computing length-preserved free boundary for quasi-developable mesh segmentation): full
-/// least-norm steps −Jᵀ(JJᵀ)⁻¹g with three unknowns a vertex.
-std::string leastNorm(const PatchAssembly& assembly, Positions& positions) {
-	detail::DefectJacobian jacobian(assembly, Eigen::VectorXd::Ones(assembly.placeCount()));
-	SparseCholesky factorization;
-	for (int step = 0; step < 60; ++step) {
-		const Eigen::VectorXd defects = angleDefects(assembly, positions);
-		if (!defects.allFinite() || defects.cwiseAbs().sum() < 1e-6)
-			break;
-		jacobian.linearize(positions);
-		const double shift = 1e-12 * jacobian.massProduct(0).diagonal().mean();
-		if (!factorization.factorize(jacobian.massProduct(shift)))
-			return "not positive definite";
-		positions -= jacobian.applyTransposed(factorization.solve(jacobian.scaled(defects)));
-	}
-	return "done";
-}
-
 std::string runMethod(const std::string& method, const PatchAssembly& assembly, Positions& positions) {
 	if (method == "constrained_newton") {
 		const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
@@ -114,7 +96,7 @@ Eigen::VectorXd hingeAngles(const PatchAssembly& assembly, const Positions& posi
 	const auto normal = [&](int triangle) -> Eigen::Vector3d {
 		const auto places = assembly.trianglePlaces.col(triangle);
 		const TriangleFrame frame(positions.col(places[0]), positions.col(places[1]),
-										  positions.col(places[2]));
+								  positions.col(places[2]));
 		return (assembly.triangleReversed[triangle] ? -1 : 1) * frame.normal.normalized();
 	};
 	std::vector<double> angles;

@@ -39,9 +39,7 @@ bool PatternMaker::flattenPanels(int iterations, const Progress& progress) {
 	double done = 0;
 	for (int piece = 0; piece < assembly_.patchCount(); ++piece) {
 		const double share = double(assembly_.patches[piece].triangles) / assembly_.triangleCount();
-		const Progress panelProgress = [&](double fraction, const std::string& message) {
-			return mayGoOn(progress, done + share * fraction, message);
-		};
+		const Progress panelProgress = partOf(progress, done, done + share);
 		flat_.push_back(flattenPanel(panels_[piece], iterations, panelProgress));
 		if (flat_.back().minimum.stopped)
 			return false;

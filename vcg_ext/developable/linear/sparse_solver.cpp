@@ -11,17 +11,18 @@ namespace developable {
 namespace {
 
 constexpr double memoryShare = 0.7; ///< of what the machine has, for the factor
-constexpr double tolerance = 1e-3;  ///< on the residual, as a share of the right-hand side
-constexpr int stepLimit = 500;
 
 } // namespace
 
-class SparseSolver::Iteration {
+class SparseSolver::Iterative {
 public:
+	explicit Iterative(const Iteration& iteration) {
+		solver_.setTolerance(iteration.tolerance);
+		solver_.setMaxIterations(iteration.stepLimit);
+	}
+
 	bool compute(const SparseMatrix& lower) {
 		matrix_ = lower;
-		solver_.setTolerance(tolerance);
-		solver_.setMaxIterations(stepLimit);
 		solver_.compute(matrix_);
 		return solver_.info() == Eigen::Success;
 	}
@@ -38,7 +39,9 @@ private:
 	Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower, Preconditioner> solver_;
 };
 
-SparseSolver::SparseSolver(double memoryLimit) : memoryLimit_(memoryLimit) {}
+SparseSolver::SparseSolver(double memoryLimit, const Iteration& iteration)
+	: memoryLimit_(memoryLimit), iteration_(iteration) {}
+
 SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 SparseSolver::~SparseSolver() = default;
@@ -48,17 +51,17 @@ bool SparseSolver::factorize(const SparseMatrix& lower) {
 		const double limit = memoryLimit_ > 0 ? memoryLimit_ : memoryShare * availableMemory();
 		decided_ = true;
 		if (cholesky_.analyze(lower) > limit)
-			iteration_ = std::make_unique<Iteration>();
+			iterative_ = std::make_unique<Iterative>(iteration_);
 	}
-	return iteration_ ? iteration_->compute(lower) : cholesky_.factorize(lower);
+	return iterative_ ? iterative_->compute(lower) : cholesky_.factorize(lower);
 }
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& rightHandSide) const {
-	return iteration_ ? iteration_->solve(rightHandSide) : cholesky_.solve(rightHandSide);
+	return iterative_ ? iterative_->solve(rightHandSide) : cholesky_.solve(rightHandSide);
 }
 
 Eigen::MatrixXd SparseSolver::solve(const Eigen::MatrixXd& rightHandSides) const {
-	return iteration_ ? iteration_->solve(rightHandSides) : cholesky_.solve(rightHandSides);
+	return iterative_ ? iterative_->solve(rightHandSides) : cholesky_.solve(rightHandSides);
 }
 
 } // namespace developable

@@ -6,13 +6,20 @@
 
 namespace developable {
 
+/// When an iteration ends.
+struct Iteration {
+	double tolerance = 1e-3; ///< on the residual, as a share of the right-hand side
+	int stepLimit = 500;
+};
+
 /// Solves with symmetric positive definite matrices of one pattern. Before the first factorisation its memory
 /// is estimated from the order of elimination; when there is not that much, conjugate gradients with an
-/// incomplete factorisation serve instead: exact enough for steps that are corrected by the next one.
+/// incomplete factorisation serve instead, unless asked for otherwise exact enough for steps that the next
+/// one corrects.
 class SparseSolver {
 public:
 	/// \param memoryLimit  bytes that a factor may take; 0: what the machine has
-	explicit SparseSolver(double memoryLimit = 0);
+	explicit SparseSolver(double memoryLimit = 0, const Iteration& iteration = {});
 	SparseSolver(SparseSolver&&) noexcept;
 	SparseSolver& operator=(SparseSolver&&) noexcept;
 	~SparseSolver();
@@ -25,15 +32,16 @@ public:
 	Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSides) const;
 
 	/// Whether memory would not do for a factorisation.
-	bool iterates() const { return iteration_ != nullptr; }
+	bool iterates() const { return iterative_ != nullptr; }
 
 private:
-	class Iteration;
+	class Iterative;
 
 	double memoryLimit_;
+	Iteration iteration_;
 	bool decided_ = false;
 	SparseCholesky cholesky_;
-	std::unique_ptr<Iteration> iteration_;
+	std::unique_ptr<Iterative> iterative_;
 };
 
 } // namespace developable

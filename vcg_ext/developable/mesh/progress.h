@@ -16,4 +16,11 @@ inline bool mayGoOn(const Progress& progress, double fractionDone, const std::st
 	return !progress || progress(fractionDone, message);
 }
 
+/// For a part of a run: what that says counts as the part of the whole from begin to end, 0 to 1.
+/// \param prefix  of its messages
+Progress partOf(const Progress& progress, double begin, double end, const std::string& prefix = "");
+
+/// For a run whose parts may begin again: what is done never gets less.
+Progress neverBack(const Progress& progress);
+
 } // namespace developable

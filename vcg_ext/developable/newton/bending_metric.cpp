@@ -2,15 +2,21 @@
 // bending_metric.cpp: puts the metric together, makes triangles stiffer, factorises.
 #include "bending_metric.h"
 
+#include "developable/geometry/geometry.h"
+
 namespace developable::detail {
+
+namespace {
+
+/// Where memory does not do for a factorisation: solutions are part of an operator, and have to be exact.
+constexpr Iteration exactIteration = {1e-9, 5000};
+
+} // namespace
 
 Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& positions) {
 	Eigen::VectorXd areas(assembly.triangleCount());
 	for (int t = 0; t < assembly.triangleCount(); ++t) {
-		const auto places = assembly.trianglePlaces.col(t);
-		areas[t] = TriangleFrame(positions.col(places[0]), positions.col(places[1]), positions.col(places[2]))
-					   .normal.norm() /
-				   2;
+		areas[t] = triangleFrame(positions, assembly.trianglePlaces.col(t)).normal.norm() / 2;
 	}
 	return areas;
 }
@@ -46,13 +52,13 @@ void BendingMatrix::addHinges(const Eigen::VectorXd& smoothness) {
 	for (int t = 0; t < assembly_.triangleCount(); ++t)
 		patchArea[assembly_.patchOfTriangle[t]] += areas[t];
 	for (const int halfEdge : assembly_.edgeHalfEdge) {
-		const int across = assembly_.joinedHalfEdge[halfEdge];
+		const int across = assembly_.across(halfEdge);
 		if (across < 0)
 			continue;
-		const int patch = assembly_.patchOfTriangle[halfEdge / 3];
+		const int patch = assembly_.patchOfTriangle[triangleOf(halfEdge)];
 		addHinge(halfEdge, across,
 				 smoothness[patch] * patchArea[patch] * patchArea[patch] /
-					 (area * (areas[halfEdge / 3] + areas[across / 3])));
+					 (area * (areas[triangleOf(halfEdge)] + areas[triangleOf(across)])));
 	}
 }
 
@@ -61,11 +67,12 @@ void BendingMatrix::addHinge(int halfEdge, int across, double weight) {
 	int places[2][3];
 	double cotangent[2][2];
 	for (int side = 0; side < 2; ++side) {
-		const int triangle = (side ? across : halfEdge) / 3, first = (side ? across : halfEdge) % 3;
-		for (int i = 0; i < 3; ++i)
-			places[side][i] = assembly_.trianglePlaces((first + i) % 3, triangle);
-		for (int i = 0; i < 2; ++i)
-			cotangent[side][i] = cotangents_((first + i) % 3, triangle);
+		int corner = side ? across : halfEdge;
+		for (int i = 0; i < 3; ++i, corner = nextCorner(corner)) {
+			places[side][i] = assembly_.placeAt(corner);
+			if (i < 2)
+				cotangent[side][i] = cotangents_.data()[corner];
+		}
 	}
 	const int same = places[0][0] == places[1][0] ? 0 : 1; // the second's corner at the first's first end
 	const int place[4] = {places[0][0], places[0][1], places[0][2], places[1][2]};
@@ -77,24 +84,35 @@ void BendingMatrix::addHinge(int halfEdge, int across, double weight) {
 				entries_.emplace_back(place[i], place[j], weight * slope[i] * slope[j]);
 }
 
+BendingMetric::BendingMetric(const PatchAssembly& assembly, const NewtonTuning& tuning, double memoryLimit)
+	: assembly_(assembly), tuning_(tuning), placeMass_(placeMasses(assembly)),
+	  factorization_(memoryLimit, exactIteration) {}
+
+void BendingMetric::setSmoothness(const Eigen::VectorXd& smoothness) {
+	lower_ = BendingMatrix(assembly_, placeMass_, smoothness).lower();
+	diagonal_ = lower_.diagonal();
+	stiffness_ = Eigen::VectorXd::Zero(assembly_.triangleCount());
+}
+
 void BendingMetric::stiffen(const std::vector<int>& triangles) {
 	for (const int triangle : triangles) {
 		const auto places = assembly_.trianglePlaces.col(triangle);
 		const double before = stiffness_[triangle];
-		stiffness_[triangle] = before > 0 ? 4 * before : 0.1 * diagonal_(places).maxCoeff();
+		stiffness_[triangle] = before > 0 ? tuning_.stiffnessIncrease * before
+										  : tuning_.firstStiffness * diagonal_(places).maxCoeff();
 		for (int corner = 0; corner < 3; ++corner)
-			tie(places[corner], places[(corner + 1) % 3], stiffness_[triangle] - before);
+			tie(places[corner], places[nextCorner(corner)], stiffness_[triangle] - before);
 	}
 }
 
 bool BendingMetric::tooStiff() const {
 	const auto stiff = (stiffness_.array() > 0).count();
-	return stiff > std::max(20.0, 0.1 * static_cast<double>(stiffness_.size()));
+	return stiff > std::max<double>(tuning_.stiffTriangles,
+									tuning_.stiffShare * static_cast<double>(stiffness_.size()));
 }
 
-void BendingMetric::factorize() {
-	if (!factorization_.factorize(lower_))
-		throw DegenerateTriangle("Some faces are too thin to compute with: remove needle-like faces first.");
+bool BendingMetric::factorize() {
+	return factorization_.factorize(lower_);
 }
 
 Positions BendingMetric::apply(const Positions& displacement) const {
@@ -110,15 +128,11 @@ double BendingMetric::squaredNorm(const Positions& displacement) const {
 }
 
 void BendingMetric::tie(int i, int j, double stiffness) {
-	if (assembly_.placeFixed[i] || assembly_.placeFixed[j])
-		return;
-	const int column = std::min(i, j), row = std::max(i, j);
-	for (SparseMatrix::InnerIterator entry(lower_, column); entry; ++entry)
-		if (entry.row() == row) {
-			entry.valueRef() -= stiffness;
-			lower_.coeffRef(i, i) += stiffness;
-			lower_.coeffRef(j, j) += stiffness;
-		}
+	for (const int place : {i, j})
+		if (!assembly_.placeFixed[place])
+			lower_.coeffRef(place, place) += stiffness;
+	if (!assembly_.placeFixed[i] && !assembly_.placeFixed[j])
+		lower_.coeffRef(std::max(i, j), std::min(i, j)) -= stiffness;
 }
 
 } // namespace developable::detail

@@ -2,9 +2,9 @@
 // bending_metric.h: how long a displacement is: how far it moves the surface, and how much it bends.
 #pragma once
 
-#include "developable/geometry/geometry.h"
 #include "developable/linear/linear.h"
 #include "developable/mesh/mesh.h"
+#include "newton_tuning.h"
 
 namespace developable::detail {
 
@@ -41,20 +41,19 @@ private:
 	std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// The metric of the constrained Newton method: W is a BendingMatrix with the places' own masses.
+/// The metric W of the constrained Newton method: a BendingMatrix with the places' own masses. Triangles can
+/// be made stiffer.
 class BendingMetric {
 public:
+	/// \param memoryLimit  see SparseSolver
+	BendingMetric(const PatchAssembly& assembly, const NewtonTuning& tuning, double memoryLimit);
+
+	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, per patch
-	BendingMetric(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness)
-		: assembly_(assembly), placeMass_(placeMasses(assembly)),
-		  lower_(BendingMatrix(assembly, placeMass_, smoothness).lower()), diagonal_(lower_.diagonal()),
-		  stiffness_(Eigen::VectorXd::Zero(assembly.triangleCount())) {}
+	void setSmoothness(const Eigen::VectorXd& smoothness);
 
-	/// How often it may be made stiffer before a step.
-	static constexpr int stiffenings = 4;
-
-	/// Makes triangles move rather as one piece: adds Σ ρ_t |d_i − d_j|² over their edges, with ρ_t a tenth
-	/// of what moving a corner costs, and four times as much each time again. Calls for another
+	/// Makes triangles move rather as one piece: adds Σ ρ_t |d_i − d_j|² over their edges, with ρ_t a share
+	/// of what moving a corner costs, and some times as much each time again. Calls for another
 	/// factorisation.
 	void stiffen(const std::vector<int>& triangles);
 
@@ -62,8 +61,8 @@ public:
 	/// itself needs a cut.
 	bool tooStiff() const;
 
-	/// Has to be called before solve.
-	void factorize();
+	/// Has to be called before solve. \return false where rounding spoils the system
+	bool factorize();
 
 	/// m_q.
 	const Eigen::VectorXd& placeMass() const { return placeMass_; }
@@ -80,16 +79,17 @@ public:
 	double squaredNorm(const Positions& displacement) const;
 
 private:
-	/// Adds stiffness · |d_i − d_j|² for two places of a triangle. The matrix has entries for them where the
-	/// triangle has a neighbour.
+	/// Adds stiffness · |d_i − d_j|² for two places of a triangle, of which held ones have d = 0. The matrix
+	/// has entries for them where the triangle has a neighbour.
 	void tie(int i, int j, double stiffness);
 
 	const PatchAssembly& assembly_;
+	const NewtonTuning tuning_;
 	Eigen::VectorXd placeMass_;
 	SparseMatrix lower_;
 	Eigen::VectorXd diagonal_;  // of the matrix at first
 	Eigen::VectorXd stiffness_; // ρ, per triangle
-	SparseCholesky factorization_;
+	SparseSolver factorization_;
 };
 
 } // namespace developable::detail

@@ -2,15 +2,19 @@
 // coarsening.cpp: collapses places into neighbours, sweep by sweep.
 #include "coarsening.h"
 
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
 namespace developable::detail {
 
-Coarsening::Coarsening(const PatchAssembly& assembly)
-	: assembly_(assembly), triangles_(assembly.triangleCopies), alive_(assembly.triangleCount(), 1),
-	  placeCount_(assembly.placeCount()) {
+Coarsening::Coarsening(const PatchAssembly& assembly, const NewtonTuning& tuning)
+	: assembly_(assembly), tuning_(tuning), triangles_(assembly.triangleCopies),
+	  alive_(assembly.triangleCount(), 1), placeCount_(assembly.placeCount()) {
 	fans_.resize(assembly.copyCount());
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
 		for (int i = assembly.cornerStart[copy]; i < assembly.cornerStart[copy + 1]; ++i)
-			fans_[copy].push_back(assembly.corners[i] / 3);
+			fans_[copy].push_back(triangleOf(assembly.corners[i]));
 	copies_.resize(assembly.placeCount());
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
 		copies_[assembly.placeOfCopy[copy]].push_back(copy);
@@ -35,9 +39,8 @@ void Coarsening::findCurves() {
 	curveNeighbours_.assign(assembly_.placeCount(), {-1, -1});
 	corner_.assign(assembly_.placeCount(), 0);
 	for (int h = 0; h < 3 * assembly_.triangleCount(); ++h)
-		if (assembly_.joinedHalfEdge[h] < 0) {
-			const int a = assembly_.trianglePlaces(h % 3, h / 3);
-			const int b = assembly_.trianglePlaces((h % 3 + 1) % 3, h / 3);
+		if (assembly_.across(h) < 0) {
+			const int a = assembly_.placeAt(h), b = assembly_.placeAt(nextCorner(h));
 			addCurveNeighbour(a, b);
 			addCurveNeighbour(b, a);
 		}
@@ -55,7 +58,7 @@ bool Coarsening::turnsSharply(int place) const {
 	const Eigen::Vector3d here = assembly_.originalPositions.col(place);
 	return (here - assembly_.originalPositions.col(a))
 			   .normalized()
-			   .dot((assembly_.originalPositions.col(b) - here).normalized()) < leastTurn;
+			   .dot((assembly_.originalPositions.col(b) - here).normalized()) < tuning_.curveCorner;
 }
 
 void Coarsening::addCurveNeighbour(int place, int neighbour) {
@@ -78,7 +81,7 @@ void Coarsening::sweep(int placesWanted) {
 }
 
 bool Coarsening::mayGo(int place) const {
-	if (static_cast<int>(fans_[copies_[place][0]].size()) > largestFan)
+	if (static_cast<int>(fans_[copies_[place][0]].size()) > tuning_.coarseFan)
 		return false;
 	if (!assembly_.placeFixed[place])
 		return true;
@@ -91,7 +94,7 @@ bool Coarsening::mayGo(int place) const {
 }
 
 void Coarsening::remove(int place) {
-	double least = worstCotangent;
+	double least = tuning_.coarseCotangent;
 	int best = -1;
 	const auto consider = [&](int neighbour) {
 		const double worst = worstAfter(place, neighbour, least);
@@ -105,12 +108,12 @@ void Coarsening::remove(int place) {
 			consider(neighbour);
 	else
 		for (const int t : fans_[copies_[place][0]])
-			consider(assembly_.placeOfCopy[triangles_((cornerOf(t, copies_[place][0]) + 1) % 3, t)]);
+			consider(assembly_.placeOfCopy[triangles_(nextCorner(cornerOfCopy(t, copies_[place][0])), t)]);
 	if (best >= 0)
 		collapse(place, best);
 }
 
-int Coarsening::cornerOf(int triangle, int copy) const {
+int Coarsening::cornerOfCopy(int triangle, int copy) const {
 	const auto corners = triangles_.col(triangle);
 	return corners[0] == copy ? 0 : corners[1] == copy ? 1 : 2;
 }
@@ -177,12 +180,12 @@ double Coarsening::cotangentAfter(int triangle, int copy, int other) const {
 	const Eigen::Vector3d normalBefore = (before[1] - before[0]).cross(before[2] - before[0]);
 	const Eigen::Vector3d normal = (after[1] - after[0]).cross(after[2] - after[0]);
 	const double doubleArea = normal.norm();
-	if (!(normal.dot(normalBefore) > leastNormal * doubleArea * normalBefore.norm()))
+	if (!(normal.dot(normalBefore) > tuning_.coarseTurn * doubleArea * normalBefore.norm()))
 		return std::numeric_limits<double>::infinity();
 	double worst = -std::numeric_limits<double>::infinity();
 	for (int i = 0; i < 3; ++i)
-		worst =
-			std::max(worst, (after[(i + 1) % 3] - after[i]).dot(after[(i + 2) % 3] - after[i]) / doubleArea);
+		worst = std::max(worst, (after[nextCorner(i)] - after[i]).dot(after[previousCorner(i)] - after[i]) /
+									doubleArea);
 	return worst;
 }
 
@@ -200,7 +203,7 @@ void Coarsening::collapse(int place, int neighbour) {
 					if (c != copy)
 						fans_[c].erase(std::find(fans_[c].begin(), fans_[c].end(), t));
 			} else {
-				triangles_(cornerOf(t, copy), t) = other;
+				triangles_(cornerOfCopy(t, copy), t) = other;
 				fans_[other].push_back(t);
 			}
 		}

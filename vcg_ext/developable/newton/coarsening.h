@@ -3,6 +3,9 @@
 #pragma once
 
 #include "developable/mesh/mesh.h"
+#include "newton_tuning.h"
+
+#include <array>
 
 namespace developable::detail {
 
@@ -13,17 +16,12 @@ namespace developable::detail {
 /// them do.
 class Coarsening {
 public:
-	explicit Coarsening(const PatchAssembly& assembly);
+	Coarsening(const PatchAssembly& assembly, const NewtonTuning& tuning);
 
 	/// Sweeps until so many places are left, or no more can go.
 	PartialAssembly coarsen(int placesWanted);
 
 private:
-	static constexpr double leastTurn = 0.9;    ///< cosine of the turn at which a curve has a corner
-	static constexpr double leastNormal = 0.5;  ///< cosine of the angle a triangle may turn by
-	static constexpr double worstCotangent = 4; ///< of a new triangle's angles
-	static constexpr int largestFan = 9; ///< of a place that goes: it would leave a fan that is no better
-
 	Eigen::Vector3d position(int copy) const;
 
 	/// Places inside a patch have no curve neighbours, those on a smooth curve have two.
@@ -40,7 +38,7 @@ private:
 
 	void remove(int place);
 
-	int cornerOf(int triangle, int copy) const;
+	int cornerOfCopy(int triangle, int copy) const;
 
 	/// The copy of a place beside this copy, or -1; `shared` becomes the number of triangles with both.
 	int copyBeside(int copy, int place, int& shared) const;
@@ -60,6 +58,7 @@ private:
 	int otherCurveNeighbour(int place, int neighbour) const;
 
 	const PatchAssembly& assembly_;
+	const NewtonTuning tuning_;
 	Eigen::Matrix3Xi triangles_; // copies
 	std::vector<char> alive_;
 	int placeCount_;

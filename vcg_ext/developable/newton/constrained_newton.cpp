@@ -2,9 +2,20 @@
 // constrained_newton.cpp: checks, the run, and what the report says of it.
 #include "constrained_newton.h"
 
+#include "frozen_panels.h"
+
+#include <cstdio>
+
 namespace developable {
 
-void detail::requireValid(const ConstrainedNewtonOptions& options) {
+namespace {
+
+using namespace detail;
+
+/// Of the work, as far as one can tell: what all patches together take before some are frozen.
+constexpr double shareOfAllTogether = 0.7;
+
+void requireValid(const ConstrainedNewtonOptions& options) {
 	const auto require = [](bool valid, const std::string& what) {
 		if (!valid)
 			throw InvalidParameter(what);
@@ -17,9 +28,44 @@ void detail::requireValid(const ConstrainedNewtonOptions& options) {
 	require(options.memoryLimit >= 0, "The limit of memory must not be negative.");
 }
 
-void detail::describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
-						   ConstrainedNewtonReport& report) {
-	const Eigen::ArrayXd curvatures = detail::patchCurvatures(assembly, defects);
+/// All patches together; then, where that is stuck, those that need no cut without the others.
+NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start, const NewtonStrategy& strategy,
+					const Progress& progress) {
+	const bool mayFreeze = assembly.patchCount() > 1 && !holdsPlaces(assembly);
+	const double share = mayFreeze ? shareOfAllTogether : 1;
+	NewtonOutcome outcome = strategy.solve(assembly, start, partOf(progress, 0, share));
+	if (outcome.ending == Ending::Stopped)
+		return outcome;
+	if (!better(assembly, angleDefects(assembly, outcome.positions), angleDefects(assembly, start)))
+		outcome.positions = start;
+	if (outcome.ending != Ending::Stuck || !mayFreeze)
+		return outcome;
+	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
+	return FrozenPanels(assembly, start, strategy, progressOfOthers).finishOthers(outcome);
+}
+
+/// Without held places nothing else than the shape itself can stand in the way.
+Status statusOf(Ending ending, const PatchAssembly& assembly) {
+	switch (ending) {
+	case Ending::Reached:
+		return Status::Converged;
+	case Ending::Settled:
+	case Ending::Stuck:
+		return holdsPlaces(assembly) ? Status::Stalled : Status::NeedsCut;
+	case Ending::Unsolvable:
+		return Status::Stalled;
+	case Ending::OutOfSteps:
+		return Status::LimitReached;
+	case Ending::Stopped:
+		return Status::Stopped;
+	}
+	return Status::Stalled;
+}
+
+/// What of the report is read off the shape.
+void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
+				   ConstrainedNewtonReport& report) {
+	const Eigen::ArrayXd curvatures = patchCurvatures(assembly, defects);
 	report.patchCurvature.assign(curvatures.begin(), curvatures.end());
 	curvatures.maxCoeff(&report.worstPatch);
 	double worst = -1;
@@ -30,9 +76,9 @@ void detail::describeShape(const PatchAssembly& assembly, const Eigen::VectorXd&
 		}
 }
 
-std::string detail::describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
-									  const detail::CurvatureGoal& goal,
-									  const ConstrainedNewtonReport& report) {
+/// How many patches need a cut, and where.
+std::string describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
+							  const CurvatureGoal& goal, const ConstrainedNewtonReport& report) {
 	const auto unmet = goal.unmetPatches(assembly, angleDefects(assembly, positions));
 	const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
 	char text[160];
@@ -41,37 +87,34 @@ std::string detail::describeNeedOfCut(const PatchAssembly& assembly, const Posit
 	return describe(Status::NeedsCut) + text;
 }
 
+} // namespace
+
 ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positions& positions,
 										  const ConstrainedNewtonOptions& options, const Progress& progress) {
-	detail::requireValid(options);
+	requireValid(options);
 	requireOpenPatches(assembly);
 	requireFreePlaces(assembly);
-	const detail::CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance};
+	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance};
 	ConstrainedNewtonReport report;
 	const Eigen::VectorXd defects = angleDefects(assembly, positions);
-	if (!goal.unmetPatches(assembly, defects).any()) {
-		detail::describeShape(assembly, defects, report);
+	if (goal.reached(assembly, defects)) {
+		describeShape(assembly, defects, report);
 		return report;
 	}
-	const detail::MultilevelNewton solver(options.smoothness, goal, options.maxIterations,
-										  options.memoryLimit);
-	detail::NewtonOutcome outcome = solver.solve(assembly, positions, progress);
-	if (outcome.status != Status::Stopped &&
-		!detail::better(assembly, angleDefects(assembly, outcome.positions), defects))
-		outcome.positions = positions;
-	if (outcome.status == Status::Stalled && !detail::holdsPlaces(assembly)) {
-		outcome.status = Status::NeedsCut;
-		outcome = detail::RestingPatches(assembly, positions, solver, goal, progress).finishOthers(outcome);
-	}
-	report.status = outcome.status;
+	const NewtonStrategy strategy(options.smoothness, goal, options.maxIterations, options.memoryLimit,
+								  options.tuning);
+	const NewtonOutcome outcome = solve(assembly, positions, strategy, neverBack(progress));
+	report.status = statusOf(outcome.ending, assembly);
 	report.iterations = outcome.iterations;
 	report.smoothness = outcome.smoothness;
-	if (outcome.status == Status::Stopped)
+	if (report.status == Status::Stopped)
 		return report;
 	positions = outcome.positions;
-	detail::describeShape(assembly, angleDefects(assembly, positions), report);
+	describeShape(assembly, angleDefects(assembly, positions), report);
 	if (report.status == Status::NeedsCut)
-		report.reason = detail::describeNeedOfCut(assembly, positions, goal, report);
+		report.reason = describeNeedOfCut(assembly, positions, goal, report);
+	if (outcome.ending == Ending::Unsolvable)
+		report.reason = "stalled: a linear system of this shape can't be solved in double precision";
 	return report;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "developable/mesh/mesh.h"
-#include "resting_patches.h"
+#include "newton_tuning.h"
 
 namespace developable {
 
@@ -17,6 +17,7 @@ struct ConstrainedNewtonOptions {
 	/// Bytes that the factor of a linear system may take; more is solved by iteration. 0: what the machine
 	/// has.
 	double memoryLimit = 0;
+	NewtonTuning tuning; ///< constants of the method, for experiments
 };
 
 struct ConstrainedNewtonReport : OptimizationReport {
@@ -27,20 +28,6 @@ struct ConstrainedNewtonReport : OptimizationReport {
 	double smoothness = 0; ///< the largest α that a patch was given; more than asked for where that failed
 };
 
-namespace detail {
-
-void requireValid(const ConstrainedNewtonOptions& options);
-
-/// What of the report is read off the shape.
-void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
-				   ConstrainedNewtonReport& report);
-
-/// How many patches need a cut, and where.
-std::string describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
-							  const CurvatureGoal& goal, const ConstrainedNewtonReport& report);
-
-} // namespace detail
-
 /// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
 /// most the curvature tolerance and no angle defect above the angle tolerance. No triangle is flipped and
 /// none becomes a sliver (see detail::Soundness). Where that leads nowhere, triangles that are in the way are
@@ -50,8 +37,9 @@ std::string describeNeedOfCut(const PatchAssembly& assembly, const Positions& po
 /// \param positions  3 x places: where to start, and the result; untouched when stopped. Distance is measured
 ///                   from the assembly's original positions.
 /// \return           Converged; NothingToDo; NeedsCut: some patches have no developable shape near;
-///                   Stalled: places that are held still stand in the way; LimitReached; Stopped. When not
-///                   converged, the result is the soundest near shape found, with less G than at the start.
+///                   Stalled: places that are held still stand in the way, or a linear system can't be solved
+///                   in double precision; LimitReached; Stopped. When not converged, the result is the
+///                   soundest near shape found, with less G than at the start.
 /// \throws ClosedPatch, NothingFree, InvalidParameter
 ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positions& positions,
 										  const ConstrainedNewtonOptions& options,

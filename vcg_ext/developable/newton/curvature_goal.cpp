@@ -2,6 +2,8 @@
 // curvature_goal.cpp: curvature by patch, and shapes compared.
 #include "curvature_goal.h"
 
+#include <cmath>
+
 namespace developable::detail {
 
 Eigen::ArrayXd patchCurvatures(const PatchAssembly& assembly, const Eigen::VectorXd& defects) {
@@ -35,18 +37,6 @@ bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const
 			double share) {
 	return detectFunction(defects) < share * detectFunction(others) &&
 		   (holdsPlaces(assembly) || defects.cwiseAbs().sum() < others.cwiseAbs().sum());
-}
-
-double farthestDisplacement(const PatchAssembly& assembly, const Positions& positions) {
-	return (positions - assembly.originalPositions).colwise().norm().maxCoeff();
-}
-
-std::string describeCurvature(double start, double left, int steps) {
-	char text[160];
-	std::snprintf(text, sizeof text,
-				  "%d steps: %.4g %% of the total absolute curvature removed, %.3g rad left", steps,
-				  100 * (1 - left / start), left);
-	return text;
 }
 
 } // namespace developable::detail

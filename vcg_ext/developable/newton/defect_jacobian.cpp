@@ -2,6 +2,11 @@
 // defect_jacobian.cpp: the derivative of all angle defects, by place.
 #include "defect_jacobian.h"
 
+#include "developable/geometry/geometry.h"
+
+#include <algorithm>
+#include <utility>
+
 namespace developable::detail {
 
 DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::VectorXd& placeMass)
@@ -27,9 +32,7 @@ Eigen::VectorXd DefectJacobian::scaled(const Eigen::VectorXd& defects) const {
 void DefectJacobian::linearize(const Positions& positions) {
 	blocks_.setZero();
 	for (int t = 0; t < assembly_.triangleCount(); ++t) {
-		const auto places = assembly_.trianglePlaces.col(t);
-		const AngleGradients angles(
-			TriangleFrame(positions.col(places[0]), positions.col(places[1]), positions.col(places[2])));
+		const AngleGradients angles(triangleFrame(positions, assembly_.trianglePlaces.col(t)));
 		for (int corner = 0; corner < 3; ++corner)
 			for (int vertex = 0; vertex < 3; ++vertex) {
 				const int block = blockOf_[9 * t + 3 * corner + vertex];
@@ -82,21 +85,26 @@ const SparseMatrix& DefectJacobian::massProduct(double shift) {
 }
 
 void DefectJacobian::findBlocks() {
-	std::vector<int> useStart(assembly_.placeCount() + 1, 0);
-	forEachUse([&](int, int, int place) { ++useStart[place + 1]; });
-	std::partial_sum(useStart.begin(), useStart.end(), useStart.begin());
-	std::vector<std::pair<int, int>> uses(useStart.back()); // row, 9 * triangle + 3 * corner + vertex
-	std::vector<int> next(useStart.begin(), useStart.end() - 1);
-	forEachUse([&](int use, int row, int place) { uses[next[place]++] = {row, use}; });
+	std::vector<std::pair<int, int>> uses; // row, 9 * triangle + 3 * corner + vertex
+	std::vector<int> placeOfUse;
+	forEachUse([&](int use, int row, int place) {
+		uses.emplace_back(row, use);
+		placeOfUse.push_back(place);
+	});
+	const Groups byPlace = grouped(assembly_.placeCount(), static_cast<int>(uses.size()),
+								   [&](int use) { return placeOfUse[use]; });
 	blockOf_.assign(9 * static_cast<std::size_t>(assembly_.triangleCount()), -1);
 	blockStart_.assign(1, 0);
 	rowOfBlock_.reserve(uses.size() / 2);
 	for (int place = 0; place < assembly_.placeCount(); ++place) {
-		std::sort(uses.begin() + useStart[place], uses.begin() + useStart[place + 1]);
-		for (int i = useStart[place]; i < useStart[place + 1]; ++i) {
-			if (i == useStart[place] || uses[i].first != uses[i - 1].first)
-				rowOfBlock_.push_back(uses[i].first);
-			blockOf_[uses[i].second] = static_cast<int>(rowOfBlock_.size()) - 1;
+		std::vector<std::pair<int, int>> usesOfPlace;
+		for (const int* use = byPlace.begin(place); use != byPlace.end(place); ++use)
+			usesOfPlace.push_back(uses[*use]);
+		std::sort(usesOfPlace.begin(), usesOfPlace.end());
+		for (const auto& [row, use] : usesOfPlace) {
+			if (static_cast<int>(rowOfBlock_.size()) == blockStart_.back() || rowOfBlock_.back() != row)
+				rowOfBlock_.push_back(row);
+			blockOf_[use] = static_cast<int>(rowOfBlock_.size()) - 1;
 		}
 		blockStart_.push_back(static_cast<int>(rowOfBlock_.size()));
 	}

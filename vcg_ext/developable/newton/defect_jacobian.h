@@ -2,11 +2,8 @@
 // defect_jacobian.h: how the angle defects of all inner copies change when the places move.
 #pragma once
 
-#include "developable/geometry/geometry.h"
 #include "developable/linear/linear.h"
-
-#include <numeric>
-#include <utility>
+#include "developable/mesh/mesh.h"
 
 namespace developable::detail {
 

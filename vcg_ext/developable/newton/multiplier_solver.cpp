@@ -1,53 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// multiplier_solver.cpp: conjugate gradients with the preconditioner of Elman.
+// multiplier_solver.cpp: the operator and its preconditioner.
 #include "multiplier_solver.h"
 
 namespace developable::detail {
 
+MultiplierSolver::MultiplierSolver(NewtonProblem& problem)
+	: problem_(problem), inverseMass_(problem.metric().placeMass().cwiseInverse()),
+	  factorization_(problem.memoryLimit()) {}
+
 Eigen::VectorXd MultiplierSolver::apply(const Eigen::VectorXd& multipliers) const {
-	return jacobian_.apply(metric_.solve(jacobian_.applyTransposed(multipliers)));
+	const DefectJacobian& jacobian = problem_.jacobian();
+	return jacobian.apply(problem_.metric().solve(jacobian.applyTransposed(multipliers)));
 }
 
 double MultiplierSolver::findGreatestResponse(Eigen::VectorXd start) {
-	for (int i = 0; i < 3; ++i)
+	for (int i = 0; i < problem_.tuning().responseSteps; ++i)
 		start = apply(start.normalized());
 	return greatestResponse_ = start.norm();
 }
 
-bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, double tolerance, Eigen::VectorXd& y,
-							 const MayGoOn& mayGoOn) {
-	const bool preconditioned = epsilon < plainAbove * greatestResponse_ && factorize(epsilon);
-	const auto precondition = [&](const Eigen::VectorXd& r) {
-		return preconditioned ? preconditioner(r, epsilon) : r;
+bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
+							 const std::function<bool()>& mayGoOn) {
+	const NewtonTuning& tuning = problem_.tuning();
+	// Should rounding spoil K, plain conjugate gradients remain.
+	const bool withPreconditioner =
+		epsilon < tuning.plainAbove * greatestResponse_ &&
+		factorization_.factorize(problem_.jacobian().massProduct(tuning.slackMass * epsilon));
+	const auto system = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return apply(x) + epsilon * x; };
+	const auto precondition = [&](const Eigen::VectorXd& residual) {
+		return withPreconditioner ? preconditioned(residual, epsilon) : residual;
 	};
-	Eigen::VectorXd residual = b - apply(y) - epsilon * y;
-	Eigen::VectorXd z = precondition(residual), direction = z;
-	double descent = residual.dot(z);
-	const double enough = tolerance * b.norm();
-	for (int step = 0; step < stepLimit && residual.norm() > enough; ++step) {
-		if (!mayGoOn())
-			return false;
-		const Eigen::VectorXd image = apply(direction) + epsilon * direction;
-		const double length = descent / direction.dot(image);
-		y += length * direction;
-		residual -= length * image;
-		z = precondition(residual);
-		const double newDescent = residual.dot(z);
-		direction = z + (newDescent / descent) * direction;
-		descent = newDescent;
-	}
-	return true;
+	const double residualAllowed = tuning.systemResidual * b.norm();
+	const auto enough = [&](const Eigen::VectorXd& residual, double) {
+		return residual.norm() <= residualAllowed;
+	};
+	return conjugateGradients(system, precondition, b, tuning.systemSteps, enough, mayGoOn, y) !=
+		   Iterated::Stopped;
 }
 
-bool MultiplierSolver::factorize(double epsilon) {
-	return factorization_.factorize(jacobian_.massProduct(slackMass * epsilon));
-}
-
-Eigen::VectorXd MultiplierSolver::preconditioner(const Eigen::VectorXd& residual, double epsilon) const {
+Eigen::VectorXd MultiplierSolver::preconditioned(const Eigen::VectorXd& residual, double epsilon) const {
+	const DefectJacobian& jacobian = problem_.jacobian();
+	const double slack = problem_.tuning().slackMass;
 	const Eigen::VectorXd u = factorization_.solve(residual);
-	const Positions lifted = jacobian_.applyTransposed(u) * inverseMass_.asDiagonal();
-	const Eigen::VectorXd weighed = jacobian_.apply(metric_.apply(lifted) * inverseMass_.asDiagonal()) +
-									epsilon * slackMass * slackMass * u;
+	const Positions lifted = jacobian.applyTransposed(u) * inverseMass_.asDiagonal();
+	const Eigen::VectorXd weighed =
+		jacobian.apply(problem_.metric().apply(lifted) * inverseMass_.asDiagonal()) +
+		epsilon * slack * slack * u;
 	return factorization_.solve(weighed);
 }
 

@@ -2,8 +2,8 @@
 // multiplier_solver.h: the linear systems of the constrained Newton method, in their multipliers.
 #pragma once
 
-#include "bending_metric.h"
-#include "defect_jacobian.h"
+#include "developable/linear/linear.h"
+#include "newton_problem.h"
 
 #include <functional>
 
@@ -17,11 +17,7 @@ namespace developable::detail {
 /// every J. It keeps the number of steps at some tens whatever ε and the tessellation.
 class MultiplierSolver {
 public:
-	/// Called once a step; returns false to ask for a stop.
-	using MayGoOn = std::function<bool()>;
-
-	MultiplierSolver(const BendingMetric& metric, DefectJacobian& jacobian)
-		: metric_(metric), jacobian_(jacobian), inverseMass_(metric.placeMass().cwiseInverse()) {}
+	explicit MultiplierSolver(NewtonProblem& problem);
 
 	/// J W⁻¹ Jᵀ y.
 	Eigen::VectorXd apply(const Eigen::VectorXd& multipliers) const;
@@ -29,26 +25,18 @@ public:
 	/// About the largest eigenvalue of J W⁻¹ Jᵀ; `start` is a first guess at its eigenvector.
 	double findGreatestResponse(Eigen::VectorXd start);
 
-	/// \param tolerance  on the residual, as a share of the right-hand side
-	/// \param y          the first guess; becomes the solution, or the best within the limit of steps
-	/// \return           false when asked to stop
-	bool solve(const Eigen::VectorXd& b, double epsilon, double tolerance, Eigen::VectorXd& y,
-			   const MayGoOn& mayGoOn);
+	/// \param y        the first guess; becomes the solution, or the best within the limit of steps
+	/// \param mayGoOn  called once a step; returns false to ask for a stop
+	/// \return         false when asked to stop
+	bool solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
+			   const std::function<bool()>& mayGoOn);
 
 private:
-	static constexpr int stepLimit = 200;
-	static constexpr double plainAbove = 0.01; ///< with ε this share of the response, it does without
-	static constexpr double slackMass = 100;   ///< κ
+	Eigen::VectorXd preconditioned(const Eigen::VectorXd& residual, double epsilon) const;
 
-	/// Should rounding spoil K, plain conjugate gradients remain.
-	bool factorize(double epsilon);
-
-	Eigen::VectorXd preconditioner(const Eigen::VectorXd& residual, double epsilon) const;
-
-	const BendingMetric& metric_;
-	DefectJacobian& jacobian_;
+	NewtonProblem& problem_;
 	Eigen::VectorXd inverseMass_;
-	SparseCholesky factorization_;
+	SparseSolver factorization_; // of K
 	double greatestResponse_ = 0;
 };
 

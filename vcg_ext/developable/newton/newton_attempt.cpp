@@ -1,162 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// newton_attempt.cpp: the path and the landing.
+// newton_attempt.cpp: continuation and restoration, again and again.
 #include "newton_attempt.h"
+
+#include "continuation.h"
+#include "restoration.h"
 
 namespace developable::detail {
 
-NewtonAttempt::NewtonAttempt(const PatchAssembly& assembly, const Eigen::VectorXd& smoothness, bool stiffens,
-							 const CurvatureGoal& goal, const Progress& progress)
-	: assembly_(assembly), goal_(goal), stiffens_(stiffens), progress_(progress),
-	  metric_(assembly, smoothness), jacobian_(assembly, metric_.placeMass()), solver_(metric_, jacobian_),
-	  soundness_(assembly) {
-	metric_.factorize();
+namespace {
+
+/// A continuation and, where that has not reached g = 0 by itself, a restoration.
+Ending approach(NewtonProblem& problem, NewtonRun& run, bool stiffens) {
+	GaussNewton steps(problem, run, stiffens);
+	if (steps.unsolvable())
+		return Ending::Unsolvable;
+	Continuation continuation(problem, run, steps);
+	const Ending ending = continuation.follow();
+	if (ending != Ending::Settled && ending != Ending::Stuck)
+		return ending;
+	return Restoration(problem, run, steps, continuation.epsilon()).restore();
 }
 
-NewtonOutcome NewtonAttempt::run(const Positions& start, int maxIterations) {
-	begin(start, maxIterations);
-	Status status = followPath();
-	if (status == Status::Stalled)
-		status = land();
-	return outcome(status);
+/// A developable shape that is not near the original any more is none that was looked for.
+Ending nearOrStuck(Ending ending, const NewtonRun& run) {
+	return run.farOff() ? Ending::Stuck : ending;
 }
 
-NewtonOutcome NewtonAttempt::landFrom(const Positions& start, int maxIterations) {
-	begin(start, maxIterations);
-	epsilon_ = leastEpsilon_;
-	return outcome(land());
+Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
+	return Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness);
 }
 
-void NewtonAttempt::begin(const Positions& start, int maxIterations) {
-	maxIterations_ = maxIterations;
-	diagonal_ = boxDiagonal(assembly_.originalPositions);
-	lastNear_ = start;
-	moveTo(stateAt(start));
-	startCurvature_ = state_.curvature;
-	jacobian_.linearize(start);
-	epsilon_ = solver_.findGreatestResponse(state_.scaled) / 4;
-	leastEpsilon_ = 4e-5 * epsilon_;
+/// What an attempt says, as its part of all: the first most often is the only one.
+Progress progressOfAttempt(const Progress& progress, int attempt) {
+	const double begin = 1 - std::pow(0.5, attempt), end = 1 - std::pow(0.5, attempt + 1);
+	return partOf(progress, begin, end);
 }
 
-NewtonOutcome NewtonAttempt::outcome(Status status) const {
-	if (state_.reached &&
-		farthestDisplacement(assembly_, state_.positions) <= farthestShareReached * diagonal_)
-		return {status, iterations_, state_.positions};
-	return {state_.reached ? Status::Stalled : status, iterations_, lastNear_, 0, state_.reached};
-}
+} // namespace
 
-NewtonAttempt::State NewtonAttempt::stateAt(const Positions& positions) const {
-	const Eigen::VectorXd defects = angleDefects(assembly_, positions);
-	State state{positions, jacobian_.scaled(defects), defects.cwiseAbs().sum(),
-				metric_.squaredNorm(positions - assembly_.originalPositions),
-				!goal_.unmetPatches(assembly_, defects).any()};
-	return state;
-}
-
-void NewtonAttempt::moveTo(State state) {
-	state_ = std::move(state);
-	if (farthestDisplacement(assembly_, state_.positions) <= farthestShare * diagonal_)
-		lastNear_ = state_.positions;
-}
-
-double NewtonAttempt::merit(const State& state, double tau) const {
-	return tau * state.squaredDistance / 2 + state.scaled.squaredNorm() / (2 * epsilon_);
-}
-
-Status NewtonAttempt::followPath() {
-	multipliers_ = Eigen::VectorXd::Zero(jacobian_.rowCount());
-	while (!state_.reached) {
-		if (iterations_ == maxIterations_)
-			return Status::LimitReached;
-		const double before = merit(state_, 1), distanceBefore = state_.squaredDistance;
-		const double length = step(1);
-		if (stopped_)
-			return Status::Stopped;
-		if (length == 0 || metric_.tooStiff())
-			return Status::Stalled;
-		// Stiffer triangles make φ larger, so that ε falls the sooner.
-		const double decrease = 1 - merit(state_, 1) / before;
-		const bool settled = std::abs(state_.squaredDistance - distanceBefore) < 0.05 * distanceBefore;
-		if (state_.curvature < 0.03 * startCurvature_ && settled)
-			return Status::Stalled;
-		if ((length == 1 && decrease < 0.3) || decrease < 0.01) {
-			if (epsilon_ < leastEpsilon_)
-				return Status::Stalled;
-			epsilon_ /= 4;
+NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double smoothness,
+						  int maxIterations, const Progress& progress) {
+	const PatchAssembly& assembly = problem.assembly();
+	const NewtonTuning& tuning = problem.tuning();
+	Eigen::VectorXd smoothnesses = sameForAll(problem, smoothness);
+	Eigen::VectorXd leastDefects = angleDefects(assembly, start);
+	NewtonOutcome best;
+	best.positions = start;
+	for (int attempt = 0; attempt < tuning.attempts; ++attempt) {
+		problem.setSmoothness(smoothnesses);
+		const Progress progressOfThis = progressOfAttempt(progress, attempt);
+		NewtonRun run(problem, start, maxIterations - best.iterations, progressOfThis);
+		best.ending = nearOrStuck(approach(problem, run, attempt > 0), run);
+		best.iterations += run.iterations();
+		if (best.ending == Ending::Stopped)
+			break;
+		const Eigen::VectorXd defects = angleDefects(assembly, run.nearest());
+		// A little less curvature is not worth the greater distance of a second attempt.
+		if (better(assembly, defects, leastDefects, attempt == 0 ? 1 : tuning.worthwhile)) {
+			leastDefects = defects;
+			best.positions = run.nearest();
+			best.smoothness = smoothnesses.maxCoeff();
 		}
+		if (best.ending != Ending::Stuck || run.farOff()) // more smoothness leads farther still
+			break;
+		if (attempt > 0)
+			smoothnesses = problem.goal()
+							   .unmetPatches(assembly, defects)
+							   .select(tuning.smoothnessIncrease * smoothnesses, smoothnesses);
 	}
-	return Status::Converged;
+	return best;
 }
 
-Status NewtonAttempt::land() {
-	for (int idle = 0; !state_.reached;) {
-		if (metric_.tooStiff())
-			return Status::Stalled;
-		if (iterations_ == maxIterations_)
-			return Status::LimitReached;
-		const double before = state_.scaled.squaredNorm();
-		multipliers_.setZero(jacobian_.rowCount());
-		const double length = step(0);
-		if (stopped_)
-			return Status::Stopped;
-		idle = state_.scaled.squaredNorm() > 0.99 * before ? idle + 1 : 0;
-		if (idle == idleLimit)
-			return Status::Stalled;
-		epsilon_ *= length == 1 ? 0.1 : length == 0 ? 16 : length < 0.25 ? 4 : 1;
+NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,
+						  int maxIterations, const Progress& progress) {
+	problem.setSmoothness(sameForAll(problem, smoothness));
+	NewtonRun run(problem, start, maxIterations, progress);
+	GaussNewton steps(problem, run, true);
+	Ending ending = Ending::Unsolvable;
+	if (!steps.unsolvable()) {
+		const double epsilon = Continuation(problem, run, steps).leastEpsilon();
+		ending = Restoration(problem, run, steps, epsilon).restore();
 	}
-	return Status::Converged;
-}
-
-double NewtonAttempt::step(double tau) {
-	++iterations_;
-	jacobian_.linearize(state_.positions);
-	Positions direction = findDirection(tau);
-	for (int i = 0; stiffens_ && i < BendingMetric::stiffenings && !stopped_ && stiffen(direction); ++i)
-		direction = findDirection(tau);
-	return stopped_ ? 0 : search(direction, tau);
-}
-
-Positions NewtonAttempt::findDirection(double tau) {
-	const Positions displacement = state_.positions - assembly_.originalPositions;
-	const Eigen::VectorXd rightHandSide = state_.scaled - tau * jacobian_.apply(displacement);
-	stopped_ =
-		!solver_.solve(rightHandSide, epsilon_, residualShare, multipliers_, [&] { return mayGoOnNow(); });
-	if (stopped_)
-		return {};
-	return -tau * displacement - metric_.solve(jacobian_.applyTransposed(multipliers_));
-}
-
-bool NewtonAttempt::stiffen(const Positions& direction) {
-	const std::vector<int> spoilt = soundness_.spoiltTriangles(state_.positions + direction);
-	if (spoilt.empty())
-		return false;
-	metric_.stiffen(spoilt);
-	metric_.factorize();
-	state_.squaredDistance = metric_.squaredNorm(state_.positions - assembly_.originalPositions);
-	return true;
-}
-
-double NewtonAttempt::search(const Positions& direction, double tau) {
-	const Positions displacement = state_.positions - assembly_.originalPositions;
-	const double slope = tau * metric_.apply(displacement).cwiseProduct(direction).sum() +
-						 jacobian_.apply(direction).dot(state_.scaled) / epsilon_;
-	const double before = merit(state_, tau);
-	double length = 1;
-	for (int halvings = 0; halvings < 10; ++halvings, length /= 2) {
-		Positions move = length * direction;
-		if (!soundness_.mend(state_.positions, move))
-			continue;
-		State next = stateAt(state_.positions + move);
-		if (merit(next, tau) <= before + 1e-4 * length * slope && merit(next, tau) < before) {
-			moveTo(std::move(next));
-			return length;
-		}
-	}
-	return 0;
-}
-
-bool NewtonAttempt::mayGoOnNow() const {
-	return mayGoOn(progress_, goal_.shareRemoved(startCurvature_, state_.curvature),
-				   describeCurvature(startCurvature_, state_.curvature, iterations_ - 1));
+	return {nearOrStuck(ending, run), run.iterations(), run.nearest(), smoothness};
 }
 
 } // namespace developable::detail

@@ -2,12 +2,9 @@
 // normal_steps.h: to g = 0 by small steps along the normals, from a shape that is nearly there.
 #pragma once
 
-#include "curvature_goal.h"
-#include "developable/geometry/geometry.h"
 #include "developable/linear/linear.h"
-#include "multiplier_solver.h"
+#include "newton_run.h"
 #include "normal_system.h"
-#include "soundness.h"
 
 namespace developable::detail {
 
@@ -18,60 +15,35 @@ namespace developable::detail {
 /// and Marquardt).
 class NormalSteps {
 public:
-	/// \param memoryLimit  see SparseSolver
-	NormalSteps(const PatchAssembly& assembly, Soundness soundness, double smoothness,
-				const CurvatureGoal& goal, double memoryLimit, const Progress& progress)
-		: assembly_(assembly), goal_(goal), progress_(progress),
-		  metric_(assembly, Eigen::VectorXd::Constant(assembly.patchCount(), smoothness)),
-		  jacobian_(assembly, metric_.placeMass()), soundness_(std::move(soundness)),
-		  system_(metric_.matrix()), solver_(memoryLimit) {}
-
 	/// \param farthest  how far from the original a place may go, length
-	NewtonOutcome run(const Positions& start, double farthest, int maxIterations);
+	NormalSteps(NewtonProblem& problem, NewtonRun& run, double farthest);
+
+	/// \return Reached; Stuck, where steps have stopped to make a difference; OutOfSteps; Stopped
+	Ending run();
 
 private:
-	static constexpr double firstShare = 0.01; ///< of ‖N u‖²_W in the first system's trace
-	static constexpr int chordLimit = 6;       ///< steps with one factorisation
-	static constexpr int idleLimit = 5;        ///< steps in a row that remove less than 2 % of |g|²
-
-	Status iterate(int maxIterations);
-
-	/// Smaller after a full step, the more so the more it removed; larger where the step had to be cut short.
-	static double epsilonFactor(double shareLeft, double length);
-
-	void moveTo(const Positions& positions);
-
-	/// Of NᵀJᵀJN + ε NᵀWN at the present positions.
+	/// Of NᵀJᵀJN + ε NᵀWN at the present positions. \return whether it succeeded
 	bool factorize();
-
-	/// Where the first step would spoil triangles they are made stiffer. \return whether there are any
-	bool stiffen();
 
 	/// From the present positions, with the system as it was factorised last.
 	Positions wholeStep() const;
 
 	/// A first step with line search, then chords: full steps with new right-hand sides, as long as each
-	/// removes half of |g|². \return the first step's length, 0 when none was any good
+	/// removes enough. \return the first step's length, 0 when none was any good
 	double stepsWithOneFactorization();
+	double tryStep(const Positions& whole, int halvings);
 
-	double tryStep(const Positions& whole, int lengths);
+	double epsilonFactor(double shareLeft, double length) const;
+	double squaredDefects() const { return run_.shape().scaledDefects.squaredNorm(); }
 
-	bool mayGoOnNow() const;
-
-	const PatchAssembly& assembly_;
-	const CurvatureGoal goal_;
-	const Progress& progress_;
-	BendingMetric metric_;
-	DefectJacobian jacobian_;
-	Soundness soundness_;
+	NewtonProblem& problem_;
+	NewtonRun& run_;
+	const double farthest_;
 	NormalSystem system_;
 	SparseMatrix along_; // J N
 	SparseSolver solver_;
-	Positions positions_, normals_, firstStep_;
-	Eigen::VectorXd defects_, scaled_; // g, and as the Jacobian scales it
-	double farthest_ = 0, startCurvature_ = 0, epsilon_ = 0;
-	int iterations_ = 0;
-	bool reached_ = false;
+	Positions normals_, firstStep_;
+	double epsilon_ = 0;
 };
 
 } // namespace developable::detail

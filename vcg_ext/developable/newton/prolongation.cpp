@@ -5,18 +5,18 @@
 namespace developable::detail {
 
 Positions prolonged(const PatchAssembly& fine, const PartialAssembly& coarse,
-					const Positions& coarseDisplacement, double memoryLimit) {
+					const Positions& coarseDisplacement, const NewtonTuning& tuning, double memoryLimit) {
 	const int coarseCount = coarse.assembly.placeCount();
 	const Eigen::VectorXd coarseMasses = placeMasses(coarse.assembly);
 	// A trifle of mass everywhere holds what the coarse places leave free.
-	Eigen::VectorXd masses = 1e-6 * placeMasses(fine);
+	Eigen::VectorXd masses = tuning.prolongationMass * placeMasses(fine);
 	Eigen::MatrixX3d pull = Eigen::MatrixX3d::Zero(fine.placeCount(), 3);
 	for (int place = 0; place < coarseCount; ++place) {
 		masses[coarse.wholePlace[place]] += coarseMasses[place];
 		pull.row(coarse.wholePlace[place]) = coarseMasses[place] * coarseDisplacement.col(place).transpose();
 	}
-	const Eigen::VectorXd smoothness =
-		Eigen::VectorXd::Constant(fine.patchCount(), 0.3 / (double(coarseCount) * coarseCount));
+	const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(
+		fine.patchCount(), tuning.prolongationBending / (double(coarseCount) * coarseCount));
 	SparseSolver solver(memoryLimit);
 	if (!solver.factorize(BendingMatrix(fine, masses, smoothness).lower()))
 		return Positions::Zero(3, fine.placeCount());

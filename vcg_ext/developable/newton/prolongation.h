@@ -3,18 +3,16 @@
 #pragma once
 
 #include "bending_metric.h"
-#include "coarsening.h"
-#include "developable/linear/linear.h"
 
 namespace developable::detail {
 
 /// The displacement of all fine places that is nearest to a coarse one without bending on the scale of the
 /// coarse edges: with m_c the masses of the coarse places and n_c their number, it has the least
-///     Σ_c m_c |d_c − d̂_c|² + β ∫|d''|²,   β = 0.3 (A/n_c)²,
+///     Σ_c m_c |d_c − d̂_c|² + β ∫|d''|²,   β = NewtonTuning::prolongationBending (A/n_c)²,
 /// so waves shorter than some five coarse edges are left out: they belong to the coarse triangulation.
 /// \param memoryLimit  see SparseSolver
 /// \return             3 x fine places
 Positions prolonged(const PatchAssembly& fine, const PartialAssembly& coarse,
-					const Positions& coarseDisplacement, double memoryLimit = 0);
+					const Positions& coarseDisplacement, const NewtonTuning& tuning, double memoryLimit = 0);
 
 } // namespace developable::detail

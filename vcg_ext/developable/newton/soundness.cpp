@@ -2,17 +2,38 @@
 // soundness.cpp: spoilt triangles, and moves that spare them.
 #include "soundness.h"
 
+#include "developable/geometry/geometry.h"
+
 namespace developable::detail {
 
-Soundness::Soundness(const PatchAssembly& assembly) : assembly_(assembly) {
+namespace {
+
+constexpr double flipCosine = -0.5; ///< of the angle between neighbours' normals beyond which one is flipped
+
+Eigen::Matrix3Xd unitNormals(const PatchAssembly& assembly, const Positions& positions) {
+	Eigen::Matrix3Xd normals(3, assembly.triangleCount());
+	for (int t = 0; t < assembly.triangleCount(); ++t)
+		normals.col(t) = triangleFrame(positions, assembly.trianglePlaces.col(t)).normal.normalized();
+	return normals;
+}
+
+} // namespace
+
+Soundness::Soundness(const PatchAssembly& assembly, const NewtonTuning& tuning)
+	: assembly_(assembly), sparingRounds_(tuning.sparingRounds) {
 	const double greatest = cornerCotangents(assembly, assembly.originalPositions).maxCoeff();
-	const double leastAngle = std::min(std::atan2(1.0, greatest) / 2, 2 * pi / 180);
-	greatestCotangent_ = 1 / std::tan(leastAngle * margin);
-	const Eigen::Matrix3Xd normals = triangleNormals(assembly_, assembly.originalPositions);
+	const double leastAngle =
+		std::min(std::atan2(1.0, greatest) * tuning.sliverShare, tuning.sliverAngle * pi / 180);
+	greatestCotangent_ = 1 / std::tan(leastAngle * tuning.sliverMargin);
+	const Eigen::Matrix3Xd normals = unitNormals(assembly, assembly.originalPositions);
 	for (const int halfEdge : assembly.edgeHalfEdge) {
-		const int across = assembly.joinedHalfEdge[halfEdge];
-		if (across >= 0 && normals.col(halfEdge / 3).dot(normals.col(across / 3)) > 0)
-			hinges_.push_back({halfEdge / 3, across / 3});
+		const int across = assembly.across(halfEdge);
+		if (across < 0)
+			continue;
+		const Hinge hinge{triangleOf(halfEdge), triangleOf(across),
+						  assembly.copyAt(halfEdge) == assembly.copyAt(across) ? -1.0 : 1.0};
+		if (hinge.sameSide * normals.col(hinge.first).dot(normals.col(hinge.second)) > 0)
+			hinges_.push_back(hinge);
 	}
 }
 
@@ -22,15 +43,15 @@ std::vector<int> Soundness::spoiltTriangles(const Positions& positions) const {
 	for (int t = 0; t < assembly_.triangleCount(); ++t)
 		if (!(cotangents.col(t).maxCoeff<Eigen::PropagateNaN>() <= greatestCotangent_))
 			spoilt.push_back(t);
-	const Eigen::Matrix3Xd normals = triangleNormals(assembly_, positions);
-	for (const auto& [first, second] : hinges_)
-		if (!(normals.col(first).dot(normals.col(second)) >= -0.5))
+	const Eigen::Matrix3Xd normals = unitNormals(assembly_, positions);
+	for (const auto& [first, second, sameSide] : hinges_)
+		if (!(sameSide * normals.col(first).dot(normals.col(second)) >= flipCosine))
 			spoilt.insert(spoilt.end(), {first, second});
 	return spoilt;
 }
 
-bool Soundness::mend(const Positions& from, Positions& move) const {
-	for (int round = 0; round < mendingRounds; ++round) {
+bool Soundness::spare(const Positions& from, Positions& move) const {
+	for (int round = 0; round < sparingRounds_; ++round) {
 		const std::vector<int> spoilt = spoiltTriangles(from + move);
 		if (spoilt.empty())
 			return true;

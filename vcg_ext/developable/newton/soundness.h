@@ -2,16 +2,17 @@
 // soundness.h: whether a shape has kept its triangles in order: none flipped, none become a sliver.
 #pragma once
 
-#include "developable/geometry/geometry.h"
+#include "developable/mesh/mesh.h"
+#include "newton_tuning.h"
 
 namespace developable::detail {
 
 /// Compares shapes with the original. A triangle is flipped when its normal makes an angle of more than 120°
 /// with that of an edge neighbour with which it made less than 90°; it is a sliver when one of its angles is
-/// less than half of the smallest of the original, or than 2° if that is less.
+/// less than half of the smallest of the original, or than 2° if that is less (see NewtonTuning).
 class Soundness {
 public:
-	explicit Soundness(const PatchAssembly& assembly);
+	Soundness(const PatchAssembly& assembly, const NewtonTuning& tuning);
 
 	bool holds(const Positions& positions) const { return spoiltTriangles(positions).empty(); }
 
@@ -20,17 +21,23 @@ public:
 
 	/// Changes a move such that it leaves a sound shape sound: a triangle that it would spoil moves as one
 	/// piece, by the mean of what its corners would; what is held still stays so. \return whether that did
-	bool mend(const Positions& from, Positions& move) const;
+	/// within some rounds
+	bool spare(const Positions& from, Positions& move) const;
 
 private:
-	static constexpr int mendingRounds = 20;
-	static constexpr double margin = 1.01; ///< for what rounding to the host's scalar may take away
+	/// Two neighbouring triangles that could flip. Their orientations are compared across their edge, so that
+	/// it does not matter whether a patch has two sides.
+	struct Hinge {
+		int first, second;
+		double sameSide; ///< -1 where the triangles run round oppositely, else 1
+	};
 
 	void moveAsOne(const Eigen::Vector3i& places, Positions& move) const;
 
 	const PatchAssembly& assembly_;
 	double greatestCotangent_ = 0;
-	std::vector<std::pair<int, int>> hinges_; // pairs of neighbouring triangles that could flip
+	std::vector<Hinge> hinges_; // pairs that made less than 90°
+	int sparingRounds_;
 };
 
 } // namespace developable::detail

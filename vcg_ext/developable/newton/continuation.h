@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// continuation.h: from the original to where next to nothing of the curvature is left, by a falling ε.
+#pragma once
+
+#include "gauss_newton.h"
+
+namespace developable::detail {
+
+/// Gauss-Newton steps on φ with τ = 1, first with a large ε, which is lessened as soon as it holds the steps
+/// up: x(ε) leaves the original continuously and ends, as ε → 0, where ‖d‖_W is least among the shapes with
+/// g = 0.
+class Continuation {
+public:
+	Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
+
+	/// \return Settled, when the curvature is all but gone and the distance has settled; Stuck, when it leads
+	///         no further; Reached; Unsolvable; OutOfSteps; Stopped
+	Ending follow();
+
+	/// The ε that it ended with, and the least that it may have.
+	double epsilon() const { return epsilon_; }
+	double leastEpsilon() const { return leastEpsilon_; }
+
+private:
+	NewtonProblem& problem_;
+	NewtonRun& run_;
+	GaussNewton& steps_;
+	double epsilon_, leastEpsilon_;
+};
+
+} // namespace developable::detail

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gauss_newton.cpp: the direction of a step, and the step along it.
+#include "gauss_newton.h"
+
+namespace developable::detail {
+
+GaussNewton::GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens)
+	: problem_(problem), run_(run), stiffens_(stiffens), solver_(problem),
+	  multipliers_(Eigen::VectorXd::Zero(problem.jacobian().rowCount())),
+	  unsolvable_(!problem.metric().factorize()) {
+	if (unsolvable_)
+		return;
+	problem_.jacobian().linearize(run.shape().positions);
+	greatestResponse_ = solver_.findGreatestResponse(run.shape().scaledDefects);
+}
+
+double GaussNewton::step(double tau, double epsilon) {
+	problem_.jacobian().linearize(run_.shape().positions);
+	Positions whole = direction(tau, epsilon);
+	const int stiffenings = stiffens_ ? problem_.tuning().stiffenings : 0;
+	for (int i = 0; i < stiffenings && !stopped_; ++i) {
+		if (!problem_.stiffenFor(run_.shape().positions + whole))
+			break;
+		unsolvable_ = !problem_.metric().factorize();
+		if (unsolvable_)
+			return 0;
+		whole = direction(tau, epsilon);
+	}
+	if (stopped_)
+		return 0;
+	const Positions displacement = problem_.displacement(run_.shape());
+	const double slope = tau * problem_.metric().apply(displacement).cwiseProduct(whole).sum() +
+						 problem_.jacobian().apply(whole).dot(run_.shape().scaledDefects) / epsilon;
+	return run_.descend(
+		whole, [&](const Shape& shape) { return merit(shape, tau, epsilon); }, slope,
+		problem_.tuning().halvings);
+}
+
+Positions GaussNewton::direction(double tau, double epsilon) {
+	const Positions displacement = problem_.displacement(run_.shape());
+	const DefectJacobian& jacobian = problem_.jacobian();
+	const Eigen::VectorXd rightHandSide = run_.shape().scaledDefects - tau * jacobian.apply(displacement);
+	stopped_ = !solver_.solve(rightHandSide, epsilon, multipliers_, [&] { return run_.mayGoOn(); });
+	if (stopped_)
+		return {};
+	return -tau * displacement - problem_.metric().solve(jacobian.applyTransposed(multipliers_));
+}
+
+double GaussNewton::squaredDistance(const Shape& shape) const {
+	return problem_.metric().squaredNorm(problem_.displacement(shape));
+}
+
+double GaussNewton::merit(const Shape& shape, double tau, double epsilon) const {
+	const double distance = tau == 0 ? 0 : tau * squaredDistance(shape) / 2;
+	return distance + shape.scaledDefects.squaredNorm() / (2 * epsilon);
+}
+
+} // namespace developable::detail

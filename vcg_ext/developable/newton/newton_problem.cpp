@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_problem.cpp: shapes, and the metric that goes with them.
+#include "newton_problem.h"
+
+namespace developable::detail {
+
+NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const CurvatureGoal& goal,
+							 const NewtonTuning& tuning, double memoryLimit)
+	: assembly_(assembly), goal_(goal), tuning_(tuning), memoryLimit_(memoryLimit),
+	  diagonal_(boxDiagonal(assembly.originalPositions)), metric_(assembly, tuning, memoryLimit),
+	  jacobian_(assembly, metric_.placeMass()), soundness_(assembly, tuning) {}
+
+void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
+	metric_.setSmoothness(smoothness);
+}
+
+Shape NewtonProblem::shapeAt(const Positions& positions) const {
+	const Eigen::VectorXd defects = angleDefects(assembly_, positions);
+	return {positions, jacobian_.scaled(defects), defects.cwiseAbs().sum(),
+			(positions - assembly_.originalPositions).colwise().norm().maxCoeff(),
+			goal_.reached(assembly_, defects)};
+}
+
+bool NewtonProblem::stiffenFor(const Positions& positions) {
+	const std::vector<int> spoilt = soundness_.spoiltTriangles(positions);
+	metric_.stiffen(spoilt);
+	return !spoilt.empty();
+}
+
+} // namespace developable::detail

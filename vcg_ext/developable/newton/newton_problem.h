@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_problem.h: the problem that the constrained Newton method solves on one level.
+#pragma once
+
+#include "bending_metric.h"
+#include "curvature_goal.h"
+#include "defect_jacobian.h"
+#include "soundness.h"
+
+namespace developable::detail {
+
+/// A shape with what decides about it.
+struct Shape {
+	Positions positions;
+	Eigen::VectorXd scaledDefects; ///< g as DefectJacobian scales it
+	double curvature = 0;          ///< C, rad
+	double farthest = 0;           ///< how far the farthest place is from where it was, length
+	bool reached = false;          ///< every patch is developable
+};
+
+/// Of all sound shapes with g = 0 the one is sought whose displacement d from the original has the least
+/// ‖d‖_W. What steps of every kind need for that is held here once: the goal, the metric W, the derivative J
+/// of g, and what a sound shape is.
+class NewtonProblem {
+public:
+	/// \param memoryLimit  see SparseSolver
+	NewtonProblem(const PatchAssembly& assembly, const CurvatureGoal& goal, const NewtonTuning& tuning,
+				  double memoryLimit);
+
+	/// The metric anew: every triangle is as stiff as at first.
+	/// \param smoothness  α, per patch
+	void setSmoothness(const Eigen::VectorXd& smoothness);
+
+	Shape shapeAt(const Positions& positions) const;
+
+	/// How far a place may go on the way, and in a developable shape: further away it is not a shape near
+	/// the original any more. Length.
+	double farthest() const { return tuning_.farthest * diagonal_; }
+	double farthestReached() const { return tuning_.farthestReached * diagonal_; }
+
+	Positions displacement(const Shape& shape) const { return shape.positions - assembly_.originalPositions; }
+
+	/// Where a step would spoil triangles they are made stiffer. \return whether there are any
+	bool stiffenFor(const Positions& positions);
+
+	const PatchAssembly& assembly() const { return assembly_; }
+	const CurvatureGoal& goal() const { return goal_; }
+	const NewtonTuning& tuning() const { return tuning_; }
+	double memoryLimit() const { return memoryLimit_; }
+	double diagonal() const { return diagonal_; }
+	BendingMetric& metric() { return metric_; }
+	const BendingMetric& metric() const { return metric_; }
+	DefectJacobian& jacobian() { return jacobian_; }
+	const Soundness& soundness() const { return soundness_; }
+
+private:
+	const PatchAssembly& assembly_;
+	const CurvatureGoal goal_;
+	const NewtonTuning tuning_;
+	const double memoryLimit_, diagonal_;
+	BendingMetric metric_;
+	DefectJacobian jacobian_;
+	Soundness soundness_;
+};
+
+} // namespace developable::detail

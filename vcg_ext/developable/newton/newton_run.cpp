@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_run.cpp: the guarded descent, and what is told of a run.
+#include "newton_run.h"
+
+#include <cstdio>
+
+namespace developable::detail {
+
+namespace {
+
+/// What of the total absolute curvature is gone after some steps, in words.
+std::string describeCurvature(double start, double left, int steps) {
+	char text[160];
+	std::snprintf(text, sizeof text,
+				  "%d steps: %.4g %% of the total absolute curvature removed, %.3g rad left", steps,
+				  100 * (1 - left / start), left);
+	return text;
+}
+
+} // namespace
+
+NewtonRun::NewtonRun(const NewtonProblem& problem, const Positions& start, int maxIterations,
+					 const Progress& progress)
+	: problem_(problem), progress_(progress), maxIterations_(maxIterations), lastNear_(start) {
+	moveTo(problem.shapeAt(start));
+	startCurvature_ = shape_.curvature;
+}
+
+bool NewtonRun::takeStep() {
+	if (iterations_ >= maxIterations_)
+		return false;
+	++iterations_;
+	return true;
+}
+
+bool NewtonRun::mayGoOn() const {
+	return developable::mayGoOn(progress_, problem_.goal().shareRemoved(startCurvature_, shape_.curvature),
+								describeCurvature(startCurvature_, shape_.curvature, iterations_));
+}
+
+double NewtonRun::descend(const Positions& direction, const Merit& merit, double slope, int halvings,
+						  double farthest) {
+	const double before = merit(shape_);
+	double length = 1;
+	for (int halving = 0; halving <= halvings; ++halving, length /= 2) {
+		Positions move = length * direction;
+		if (!problem_.soundness().spare(shape_.positions, move))
+			continue;
+		Shape next = problem_.shapeAt(shape_.positions + move);
+		if (next.farthest <= farthest && descendsEnough(before, slope, length, merit(next))) {
+			moveTo(std::move(next));
+			return length;
+		}
+	}
+	return 0;
+}
+
+const Positions& NewtonRun::nearest() const {
+	return shape_.reached && endsNear() ? shape_.positions : lastNear_;
+}
+
+void NewtonRun::moveTo(Shape shape) {
+	shape_ = std::move(shape);
+	if (shape_.farthest <= problem_.farthest())
+		lastNear_ = shape_.positions;
+}
+
+} // namespace developable::detail

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_run.h: one run of steps: where it is, how far it may go, and how every step is guarded.
+#pragma once
+
+#include "developable/descent/descent.h"
+#include "newton_problem.h"
+
+#include <functional>
+
+namespace developable::detail {
+
+/// How the steps of one kind ended.
+enum class Ending {
+	Reached,    ///< every patch is developable
+	Settled,    ///< next to nothing of the curvature is left, and the distance has settled
+	Stuck,      ///< steps make no difference any more
+	Unsolvable, ///< a linear system has no solution in double precision
+	OutOfSteps,
+	Stopped ///< by the user
+};
+
+/// A shape on its way to g = 0, with the number of steps that it has taken and may take.
+class NewtonRun {
+public:
+	NewtonRun(const NewtonProblem& problem, const Positions& start, int maxIterations,
+			  const Progress& progress);
+
+	const Shape& shape() const { return shape_; }
+	int iterations() const { return iterations_; }
+	double startCurvature() const { return startCurvature_; }
+
+	/// Counts a step. \return false when there have been as many as may be
+	bool takeStep();
+
+	/// Tells how far the run is. \return false when the user asks for a stop
+	bool mayGoOn() const;
+
+	/// What a step has to lower: of a shape, any unit.
+	using Merit = std::function<double(const Shape&)>;
+
+	/// The one guarded descent of all steps: goes along a direction, all the way or half of it, a quarter
+	/// and so on, to a sound shape whose merit is lower enough (see descendsEnough). Triangles that would be
+	/// spoilt move as one piece.
+	///
+	/// \param slope      of the merit along the direction, negative
+	/// \param farthest   that a place may be from where it was, length
+	/// \return           how much of the direction it went; 0 when nothing was any good, and the shape is
+	///                   the same
+	double descend(const Positions& direction, const Merit& merit, double slope, int halvings,
+				   double farthest = std::numeric_limits<double>::infinity());
+
+	/// The present shape if it is developable and near; else the last one that was near.
+	const Positions& nearest() const;
+
+	/// It led to a developable shape, but not to one near the original.
+	bool farOff() const { return shape_.reached && !endsNear(); }
+
+private:
+	bool endsNear() const { return shape_.farthest <= problem_.farthestReached(); }
+	void moveTo(Shape shape);
+
+	const NewtonProblem& problem_;
+	const Progress& progress_;
+	const int maxIterations_;
+	int iterations_ = 0;
+	Shape shape_;
+	Positions lastNear_;
+	double startCurvature_ = 0;
+};
+
+} // namespace developable::detail

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_strategy.cpp: coarse levels first, then refinement.
+#include "newton_strategy.h"
+
+#include "coarsening.h"
+#include "normal_steps.h"
+#include "prolongation.h"
+
+#include <chrono>
+
+namespace developable::detail {
+
+namespace {
+
+constexpr double coarseShare = 0.2; ///< of a level's work that the coarser levels are, as far as one can tell
+constexpr double growth = 1.2;      ///< time goes with this power of the number of places
+
+/// The whole displacement, or as much of it as leaves the triangles in order.
+Positions soundStart(const NewtonProblem& problem, const Positions& displacement) {
+	const Positions& original = problem.assembly().originalPositions;
+	double share = 1;
+	while (share > 1e-3 && !problem.soundness().holds(original + share * displacement))
+		share /= 2;
+	return original + share * displacement;
+}
+
+/// What is about to be done, and how long it may take.
+std::string announce(const PatchAssembly& assembly, double seconds) {
+	const std::string size = std::to_string(assembly.placeCount()) + " vertices";
+	if (seconds < 2)
+		return size + ": ";
+	if (seconds < 100)
+		return size + ", about " + std::to_string(std::lround(seconds)) + " s: ";
+	return size + ", about " + std::to_string(std::lround(seconds / 60)) + " min: ";
+}
+
+} // namespace
+
+NewtonStrategy::NewtonStrategy(double smoothness, const CurvatureGoal& goal, int maxIterations,
+							   double memoryLimit, const NewtonTuning& tuning)
+	: smoothness_(smoothness), goal_(goal), maxIterations_(maxIterations), memoryLimit_(memoryLimit),
+	  tuning_(tuning) {}
+
+NewtonProblem NewtonStrategy::problemOf(const PatchAssembly& assembly) const {
+	return {assembly, goal_, tuning_, memoryLimit_};
+}
+
+NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positions& start,
+									const Progress& progress) const {
+	const int places = assembly.placeCount();
+	if (places <= tuning_.coarsest)
+		return solveCoarsest(assembly, start, progress);
+	const PartialAssembly coarse =
+		Coarsening(assembly, tuning_)
+			.coarsen(std::max(tuning_.coarsest, static_cast<int>(places / tuning_.levelRatio)));
+	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)
+		return solveCoarsest(assembly, start, progress);
+
+	const auto begin = std::chrono::steady_clock::now();
+	const Positions coarseStart = coarse.assembly.originalPositions +
+								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
+	const NewtonOutcome coarseOutcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, coarseShare));
+	if (coarseOutcome.ending == Ending::Stopped)
+		return coarseOutcome;
+	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+	const double sizes = double(places) / coarse.assembly.placeCount();
+	const std::string announcement = announce(assembly, taken.count() * std::pow(sizes, growth));
+	const Positions displacement = prolonged(
+		assembly, coarse, coarseOutcome.positions - coarse.assembly.originalPositions, tuning_, memoryLimit_);
+	return refine(assembly, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
+}
+
+/// Where held places leave no way to g = 0, steps along the normals go on to the least squares of it.
+NewtonOutcome NewtonStrategy::solveCoarsest(const PatchAssembly& assembly, const Positions& start,
+											const Progress& progress) const {
+	NewtonProblem problem = problemOf(assembly);
+	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
+	const int stepsLeft = maxIterations_ - outcome.iterations;
+	if (outcome.ending != Ending::Stuck || !holdsPlaces(assembly) || stepsLeft <= 0)
+		return outcome;
+	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
+	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
+	const Ending ending = NormalSteps(problem, run, problem.farthest()).run();
+	outcome.iterations += run.iterations();
+	outcome.positions = run.shape().positions;
+	// Least squares are approached slowly: to run out of steps there is no more than to be stuck.
+	if (ending != Ending::OutOfSteps)
+		outcome.ending = ending;
+	return outcome;
+}
+
+/// \param displacement  of the places, from the coarser level
+NewtonOutcome NewtonStrategy::refine(const PatchAssembly& assembly, const Positions& displacement,
+									 const NewtonOutcome& coarse, const Progress& progress) const {
+	NewtonProblem problem = problemOf(assembly);
+	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
+	NewtonRun run(problem, soundStart(problem, displacement), maxIterations_, progress);
+	// With a coarse solution at hand what is left to do is little; without one, more may do harm.
+	const bool solved = coarse.ending == Ending::Reached;
+	const double farthest = solved ? problem.diagonal() : std::max(problem.farthest(), run.shape().farthest);
+	const Ending ending = NormalSteps(problem, run, farthest).run();
+	NewtonOutcome outcome{ending, run.iterations(), run.shape().positions, coarse.smoothness};
+	if (ending != Ending::Stuck || !solved)
+		return outcome;
+	const NewtonOutcome restored =
+		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
+	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
+			std::max(coarse.smoothness, restored.smoothness)};
+}
+
+} // namespace developable::detail

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_strategy.h: which problems the constrained Newton method solves, in which order: levels, and panels
+// left out.
+#pragma once
+
+#include "newton_attempt.h"
+
+namespace developable::detail {
+
+/// Large patches are first solved with a quarter of their vertices, in the same way. That solution's
+/// displacement, carried over smoothly, brings the fine patches to where little curvature is left, and all of
+/// it of short waves: steps along the normals take it away. What they can't take, a restoration may.
+class NewtonStrategy {
+public:
+	/// \param memoryLimit  see SparseSolver
+	NewtonStrategy(double smoothness, const CurvatureGoal& goal, int maxIterations, double memoryLimit,
+				   const NewtonTuning& tuning);
+
+	const CurvatureGoal& goal() const { return goal_; }
+	const NewtonTuning& tuning() const { return tuning_; }
+
+	/// From coarse to fine, all patches together.
+	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
+						const Progress& progress) const;
+
+private:
+	NewtonProblem problemOf(const PatchAssembly& assembly) const;
+	NewtonOutcome solveCoarsest(const PatchAssembly& assembly, const Positions& start,
+								const Progress& progress) const;
+	NewtonOutcome refine(const PatchAssembly& assembly, const Positions& displacement,
+						 const NewtonOutcome& coarse, const Progress& progress) const;
+
+	const double smoothness_;
+	const CurvatureGoal goal_;
+	const int maxIterations_;
+	const double memoryLimit_;
+	const NewtonTuning tuning_;
+};
+
+} // namespace developable::detail

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_tuning.cpp: the constants by name.
+#include "newton_tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace developable {
+
+double TuningConstant::value(const NewtonTuning& tuning) const {
+	return std::visit([&](auto constant) { return static_cast<double>(tuning.*constant); }, member);
+}
+
+void TuningConstant::set(NewtonTuning& tuning, double value) const {
+	if (const auto* whole = std::get_if<int NewtonTuning::*>(&member))
+		tuning.** whole = std::max(1, static_cast<int>(std::lround(value)));
+	else
+		tuning.*std::get<double NewtonTuning::*>(member) = value;
+}
+
+const std::vector<TuningConstant>& tuningConstants() {
+	static const std::vector<TuningConstant> constants = {
+		{"firstEpsilon", &NewtonTuning::firstEpsilon},
+		{"leastEpsilon", &NewtonTuning::leastEpsilon},
+		{"epsilonDecrease", &NewtonTuning::epsilonDecrease},
+		{"slowDecrease", &NewtonTuning::slowDecrease},
+		{"noDecrease", &NewtonTuning::noDecrease},
+		{"settledCurvature", &NewtonTuning::settledCurvature},
+		{"settledDistance", &NewtonTuning::settledDistance},
+		{"systemResidual", &NewtonTuning::systemResidual},
+		{"restorationPatience", &NewtonTuning::restorationPatience},
+		{"restorationIdle", &NewtonTuning::restorationIdle},
+		{"restorationDecrease", &NewtonTuning::restorationDecrease},
+		{"restorationIncrease", &NewtonTuning::restorationIncrease},
+		{"restorationRetry", &NewtonTuning::restorationRetry},
+		{"restorationShortStep", &NewtonTuning::restorationShortStep},
+		{"firstDamping", &NewtonTuning::firstDamping},
+		{"chords", &NewtonTuning::chords},
+		{"chordShare", &NewtonTuning::chordShare},
+		{"normalPatience", &NewtonTuning::normalPatience},
+		{"normalIdle", &NewtonTuning::normalIdle},
+		{"normalGood", &NewtonTuning::normalGood},
+		{"normalVeryGood", &NewtonTuning::normalVeryGood},
+		{"normalDecrease", &NewtonTuning::normalDecrease},
+		{"normalFastDecrease", &NewtonTuning::normalFastDecrease},
+		{"normalSlowDecrease", &NewtonTuning::normalSlowDecrease},
+		{"normalIncrease", &NewtonTuning::normalIncrease},
+		{"normalRetry", &NewtonTuning::normalRetry},
+		{"normalShortStep", &NewtonTuning::normalShortStep},
+		{"normalHalvings", &NewtonTuning::normalHalvings},
+		{"halvings", &NewtonTuning::halvings},
+		{"sparingRounds", &NewtonTuning::sparingRounds},
+		{"responseSteps", &NewtonTuning::responseSteps},
+		{"systemSteps", &NewtonTuning::systemSteps},
+		{"plainAbove", &NewtonTuning::plainAbove},
+		{"slackMass", &NewtonTuning::slackMass},
+		{"stiffenings", &NewtonTuning::stiffenings},
+		{"firstStiffness", &NewtonTuning::firstStiffness},
+		{"stiffnessIncrease", &NewtonTuning::stiffnessIncrease},
+		{"stiffShare", &NewtonTuning::stiffShare},
+		{"stiffTriangles", &NewtonTuning::stiffTriangles},
+		{"sliverShare", &NewtonTuning::sliverShare},
+		{"sliverAngle", &NewtonTuning::sliverAngle},
+		{"sliverMargin", &NewtonTuning::sliverMargin},
+		{"farthest", &NewtonTuning::farthest},
+		{"farthestReached", &NewtonTuning::farthestReached},
+		{"attempts", &NewtonTuning::attempts},
+		{"smoothnessIncrease", &NewtonTuning::smoothnessIncrease},
+		{"worthwhile", &NewtonTuning::worthwhile},
+		{"coarsest", &NewtonTuning::coarsest},
+		{"levelRatio", &NewtonTuning::levelRatio},
+		{"leastReduction", &NewtonTuning::leastReduction},
+		{"prolongationBending", &NewtonTuning::prolongationBending},
+		{"prolongationMass", &NewtonTuning::prolongationMass},
+		{"curveCorner", &NewtonTuning::curveCorner},
+		{"coarseTurn", &NewtonTuning::coarseTurn},
+		{"coarseCotangent", &NewtonTuning::coarseCotangent},
+		{"coarseFan", &NewtonTuning::coarseFan},
+	};
+	return constants;
+}
+
+} // namespace developable

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_tuning.h: the constants of the constrained Newton method that were found by trial.
+//
+// `bash bench/run.sh ablation` shows for each what becomes of success, nearness and time when it is a quarter
+// of its value, and four times.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace developable {
+
+/// Shares and factors have no unit. Every constant is named in tuningConstants().
+struct NewtonTuning {
+	// Continuation in ε: from the original to where next to nothing of the curvature is left.
+	double firstEpsilon = 0.25; ///< share of the greatest response of g to a force: begins near the original
+	double leastEpsilon = 4e-5; ///< share of the first: below it, rounding makes the systems' solutions
+	double epsilonDecrease = 0.25;  ///< factor: less asks for more steps, more for longer line searches
+	double slowDecrease = 0.3;      ///< of φ in a full step: less than that means that ε holds it up
+	double noDecrease = 0.01;       ///< of φ in any step: less than that means the same
+	double settledCurvature = 0.03; ///< share of C at the start that restoration may be left with
+	double settledDistance = 0.05;  ///< change of ‖d‖² in a step: less means that nearness is found
+	double systemResidual = 0.05;   ///< what is left of a system: the next step corrects it
+
+	// Restoration: the shortest steps to g = 0.
+	int restorationPatience = 5;      ///< steps in a row that change next to nothing
+	double restorationIdle = 0.99;    ///< share of |g|² that is left by a step that changes next to nothing
+	double restorationDecrease = 0.1; ///< of ε after a full step: Newton's method converges quadratically
+	double restorationIncrease = 4;   ///< of ε after a short step
+	double restorationRetry = 16;     ///< of ε when no step was any good
+	double restorationShortStep = 0.25; ///< length below which a step is short
+
+	// Steps along the normals.
+	double firstDamping = 0.01;      ///< share of ‖N u‖²_W in the trace of the first system
+	int chords = 6;                  ///< steps with one factorisation, which costs as much as all of them
+	double chordShare = 0.5;         ///< of |g|² that a chord may leave
+	int normalPatience = 5;          ///< steps in a row that change next to nothing
+	double normalIdle = 0.98;        ///< share of |g|² that is left by a step that changes next to nothing
+	double normalGood = 0.5;         ///< share of |g|² that a good step leaves at most
+	double normalVeryGood = 0.1;     ///< and a very good one
+	double normalDecrease = 0.3;     ///< of ε after a good step
+	double normalFastDecrease = 0.1; ///< after a very good one
+	double normalSlowDecrease = 0.5; ///< after a full step that was neither
+	double normalIncrease = 4;       ///< after a short step
+	double normalRetry = 16;         ///< when no step was any good
+	double normalShortStep = 0.3;    ///< length below which a step is short
+	int normalHalvings = 7;          ///< of a step until ε is raised instead
+
+	// Every step.
+	int halvings = 9;       ///< of a step in all three directions: a shorter one is not worth its system
+	int sparingRounds = 20; ///< in which triangles that a step would spoil are made to move as one piece
+
+	// Linear systems in the multipliers.
+	int responseSteps = 3;    ///< of the power iteration for the greatest response
+	int systemSteps = 200;    ///< of conjugate gradients; some tens are usual
+	double plainAbove = 0.01; ///< share of the greatest response: with such an ε no preconditioner pays
+	double slackMass = 100;   ///< κ of the preconditioner
+
+	// Triangles that would be spoilt are made stiffer.
+	int stiffenings = 4;          ///< before a step
+	double firstStiffness = 0.1;  ///< share of what it costs to move a corner
+	double stiffnessIncrease = 4; ///< factor, each time again
+	double stiffShare = 0.1;      ///< of all triangles: more are no accidents of the triangulation
+	int stiffTriangles = 20;      ///< fewer are no sign of anything
+
+	// What counts as a sound shape near the original.
+	double sliverShare = 0.5;      ///< of the smallest angle of the original
+	double sliverAngle = 2;        ///< degrees; angles above it are no slivers in any case
+	double sliverMargin = 1.01;    ///< for what rounding to the host's scalar may take away
+	double farthest = 0.2;         ///< share of the diagonal that a place may go on the way
+	double farthestReached = 0.22; ///< and in a developable shape
+
+	// Attempts with more smoothness.
+	int attempts = 5;
+	double smoothnessIncrease = 4; ///< factor, from an attempt to the next
+	double worthwhile = 0.1;       ///< share of G that a later attempt may leave of an earlier one's
+
+	// Levels.
+	int coarsest = 1500;              ///< places; so few are solved directly
+	double levelRatio = 4;            ///< between the numbers of places of two levels
+	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while
+	double prolongationBending = 0.3; ///< β in units of (A/n)²: waves below five coarse edges are left out
+	double prolongationMass = 1e-6;   ///< share of its mass that a place has which the coarse level has not
+	double curveCorner = 0.9;         ///< cosine of the turn at which a border has a corner that stays
+	double coarseTurn = 0.5;          ///< cosine of the angle that a triangle may turn by
+	double coarseCotangent = 4;       ///< the greatest of a new triangle's angles
+	int coarseFan = 9; ///< triangles round a place that goes: more leave a fan that is no better
+};
+
+/// A constant by its name.
+struct TuningConstant {
+	std::string name;
+	std::variant<double NewtonTuning::*, int NewtonTuning::*> member;
+
+	double value(const NewtonTuning& tuning) const;
+	/// A whole number is rounded, and is 1 at least.
+	void set(NewtonTuning& tuning, double value) const;
+};
+
+/// All of them, in the order of NewtonTuning.
+const std::vector<TuningConstant>& tuningConstants();
+
+} // namespace developable

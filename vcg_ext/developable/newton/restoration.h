@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// restoration.h: the shortest steps to g = 0, from a shape that is nearly there.
+#pragma once
+
+#include "gauss_newton.h"
+
+namespace developable::detail {
+
+/// Gauss-Newton steps on |g|² alone, τ = 0, with an ε that falls with every full step, so that they converge
+/// quadratically, and rises with those that had to be cut short (Levenberg and Marquardt).
+class Restoration {
+public:
+	/// \param epsilon  the first
+	Restoration(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon);
+
+	/// \return Reached; Stuck, where steps have stopped to make a difference; Unsolvable; OutOfSteps; Stopped
+	Ending restore();
+
+private:
+	double epsilonFactor(double length) const;
+
+	NewtonProblem& problem_;
+	NewtonRun& run_;
+	GaussNewton& steps_;
+	double epsilon_;
+};
+
+} // namespace developable::detail
