@@ -57,14 +57,13 @@ inline void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& 
 }
 
 /// How many patches need a cut, and where.
-inline std::string describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
-									 const CurvatureGoal& goal, const ConstrainedNewtonReport& report) {
+inline void describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
+							  const CurvatureGoal& goal, ConstrainedNewtonReport& report) {
 	const auto unmet = goal.unmetPatches(assembly, angleDefects(assembly, positions));
 	const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
-	char text[160];
-	std::snprintf(text, sizeof text, " in %d of %d patches, first of all at (%.4g, %.4g, %.4g)",
-				  static_cast<int>(unmet.count()), assembly.patchCount(), at[0], at[1], at[2]);
-	return describe(Status::NeedsCut) + text;
+	report.reason = Reason::NeedsCut;
+	report.patchesNeedingCut = static_cast<int>(unmet.count());
+	report.worstPosition = {at[0], at[1], at[2]};
 }
 
 } // namespace detail
@@ -112,7 +111,7 @@ inline ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, 
 	positions = outcome.positions;
 	detail::describeShape(assembly, angleDefects(assembly, positions), report);
 	if (report.status == Status::NeedsCut)
-		report.reason = detail::describeNeedOfCut(assembly, positions, goal, report);
+		detail::describeNeedOfCut(assembly, positions, goal, report);
 	return report;
 }
 

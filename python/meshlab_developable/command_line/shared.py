@@ -137,7 +137,8 @@ def assignments(texts: Collection[str]) -> dict[str, str]:
 
 def _option(parameter: Parameter) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     name = "--" + parameter.name.replace("_", "-")
-    text = f"{parameter.help}  [default: {_shown(parameter)}]"
+    unit = f"{parameter.unit}; " if parameter.unit else ""
+    text = f"{parameter.help}  [{unit}default: {_shown(parameter)}]"
     kind = parameter.kind
     if isinstance(kind, Boolean):
         return click.option(f"{name}/--no-{name[2:]}", parameter.name, default=None, help=text)
