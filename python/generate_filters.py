@@ -197,8 +197,13 @@ def parameters_of(filters: list[Any]) -> dict[str, Any]:
 
 def words_of(parameter: Any) -> str:
     """What a docstring says of a parameter."""
-    notes = [parameter["unit"], f"only for {parameter['only']!r}" if parameter["only"] else ""]
-    noted = "; ".join(note for note in notes if note)
+    notes = [
+        parameter["unit"],
+        f"> {parameter['minimum']:g}" if parameter["minimum_excluded"] else "",
+        f"≤ {parameter['maximum']:g}" if parameter["maximum"] is not None else "",
+        f"only for {parameter['only']!r}" if parameter["only"] else "",
+    ]
+    noted = "; ".join(filter(None, notes))
     line = f"{parameter['name']}{f' ({noted})' if noted else ''}: {help_of(parameter)}"
     return textwrap.fill(line, DOCSTRING_WIDTH, initial_indent="    ", subsequent_indent="        ")
 

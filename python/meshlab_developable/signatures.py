@@ -133,13 +133,13 @@ def make_developable(
         fix_boundary (only for 'global'): Vertices on the boundary of a patch stay where they are.
         angle_tolerance (rad): A vertex whose angle defect is no larger than this counts as a developable
             point.
-        curvature_tolerance (rad; only for 'global'): Constrained Newton only: a patch is developable when
-            the absolute angle defects of all its vertices add up to no more than this.
+        curvature_tolerance (rad; > 0; only for 'global'): Constrained Newton only: a patch is developable
+            when the absolute angle defects of all its vertices add up to no more than this.
         max_iterations (only for 'global'): The run ends after so many steps at the latest.
         relative_change (only for 'global'): Conjugate gradient only: the run ends when a step changes the
             detect function G by less than this share of its first value.
-        smoothness (only for 'global'): Constrained Newton only: how much weight bending has against
-            distance; larger values give fewer wrinkles and move the surface more.
+        smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
+            against distance; larger values give fewer wrinkles and move the surface more.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
         max_displacement (length; only for 'local'): How far a vertex may move along its original normal;
