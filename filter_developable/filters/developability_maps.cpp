@@ -99,8 +99,8 @@ Parameter referenceParameter() {
 	parameter.type = ParameterType::Mesh;
 	parameter.label = "Reference";
 	parameter.tooltip =
-		"The layer that the maps Distance and Displacement are measured from; the current layer means the "
-		"shape that its last optimisation started from. See Fig. 8.";
+		"The layer that the maps Distance and Displacement are measured from. The current layer means the "
+		"shape that its last optimisation started from; see Fig. 8.";
 	return parameter;
 }
 

@@ -82,8 +82,7 @@ std::vector<Parameter> parameters() {
 		onlyFor(Solver::ConstrainedNewton,
 				floatParameter(
 					"curvature_tolerance", 1e-4, {0, true}, "rad", "Curvature tolerance",
-					"a patch is developable when the absolute angle defects of its vertices add up to no "
-					"more.")),
+					"a patch is developable when its absolute angle defects add up to no more than this.")),
 		intParameter(
 			"max_iterations", 200, 0, "Largest number of iterations",
 			"The run ends after so many steps at the latest. It is the paper's N_max (Section 4.1)."),

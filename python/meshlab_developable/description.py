@@ -58,7 +58,7 @@ GLOBAL = Filter(
             Number(minimum_excluded=True),
             0.0001,
             "rad",
-            "Constrained Newton only: a patch is developable when the absolute angle defects of all its vertices add up to no more than this.",
+            "Constrained Newton only: a patch is developable when its absolute angle defects add up to no more than this.",
         ),
         Parameter("max_iterations", Whole(), 200, "", "The run ends after so many steps at the latest."),
         Parameter(
@@ -66,14 +66,14 @@ GLOBAL = Filter(
             Number(),
             0.0001,
             "",
-            "Conjugate gradient only: the run ends when a step changes the detect function G by less than this share of its first value.",
+            "Conjugate gradient only: the run ends when a step changes G by less than this share of its first value.",
         ),
         Parameter(
             "smoothness",
             Number(minimum_excluded=True, maximum=1),
             3e-06,
             "",
-            "Constrained Newton only: how much weight bending has against distance; larger values give fewer wrinkles and move the surface more.",
+            "Constrained Newton only: how much weight bending has against distance; larger values give fewer wrinkles.",
         ),
         Parameter(
             "map",
@@ -141,7 +141,7 @@ LOCAL = Filter(
             Length(automatic=True),
             -1.0,
             "length",
-            "How far a vertex may move along its original normal; -1, as any negative number, means the mean edge length.",
+            "How far a vertex may move along its original normal; -1 means the mean edge length.",
         ),
         Parameter(
             "max_operations",
@@ -254,7 +254,7 @@ MAPS = Filter(
             Layer(),
             0,
             "",
-            "The layer that the maps Distance and Displacement are measured from; the current layer means the shape that its last optimisation started from.",
+            "The layer that the maps Distance and Displacement are measured from.",
         ),
         Parameter(
             "colorize",
@@ -297,7 +297,7 @@ FLATTEN = Filter(
             Length(automatic=True),
             -1.0,
             "length",
-            "How far apart the pieces lie; -1, as any negative number, means 2 % of the diagonal of the largest piece's box.",
+            "How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box.",
         ),
         Parameter(
             "map",

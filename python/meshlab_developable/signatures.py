@@ -134,16 +134,16 @@ def make_developable(
         angle_tolerance (rad): A vertex whose angle defect is no larger than this counts as a developable
             point.
         curvature_tolerance (rad; > 0; only for 'global'): Constrained Newton only: a patch is developable
-            when the absolute angle defects of all its vertices add up to no more than this.
+            when its absolute angle defects add up to no more than this.
         max_iterations (only for 'global'): The run ends after so many steps at the latest.
-        relative_change (only for 'global'): Conjugate gradient only: the run ends when a step changes the
-            detect function G by less than this share of its first value.
+        relative_change (only for 'global'): Conjugate gradient only: the run ends when a step changes G by
+            less than this share of its first value.
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
-            against distance; larger values give fewer wrinkles and move the surface more.
+            against distance; larger values give fewer wrinkles.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
-        max_displacement (length; only for 'local'): How far a vertex may move along its original normal;
-            -1, as any negative number, means the mean edge length.
+        max_displacement (length; only for 'local'): How far a vertex may move along its original normal; -1
+            means the mean edge length.
         max_operations (only for 'local'): The run ends after so many visits to a vertex at the latest.
         descent (only for 'local'): Halve each move until the vertex and its neighbours come nearer to
             developable, and set it aside if none does.
@@ -193,8 +193,7 @@ def flatten(
             colour, texture island or quality.
         weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
             those with equal coordinates.
-        gap (length): How far apart the pieces lie; -1, as any negative number, means 2 % of the diagonal of
-            the largest piece's box.
+        gap (length): How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box.
         map: What is written to the vertex quality of the model and of the patterns.
         write_texture_coordinates: Write the patterns to the model too, as texture coordinates of its face
             corners, scaled to fit the unit square.
