@@ -27,7 +27,7 @@ struct Parameter {
 	/// Of a bool 0 or 1, of an enumeration the index; of a mesh it is not used, the current layer is meant.
 	double defaultValue = 0;
 	std::string label; ///< in the dialog
-	/// A sentence, which has to say all that the command line's help says, and then perhaps more of them.
+	/// Its first sentence is all that the command line shows; more may follow.
 	std::string tooltip;
 	std::string unit;                     ///< of a number; empty: it has none
 	Range range;                          ///< of a number
