@@ -39,8 +39,15 @@ bool isColoured(const MeshModel* layer) {
 	});
 }
 
+/// With its unit, but of a length: the dialog shows that in two units, the mesh's and percent.
+QString shownLabel(const Parameter& parameter) {
+	if (parameter.unit.empty() || parameter.type == ParameterType::Length)
+		return toQString(parameter.label);
+	return toQString(parameter.label + " (" + parameter.unit + ")");
+}
+
 void add(RichParameterList& list, const Parameter& parameter, host::ReadDocument& document) {
-	const QString name = toQString(parameter.name), label = toQString(parameter.label),
+	const QString name = toQString(parameter.name), label = shownLabel(parameter),
 				  tooltip = toQString(parameter.tooltip);
 	const auto scalar = static_cast<host::Scalar>(parameter.defaultValue);
 	const auto integer = static_cast<int>(parameter.defaultValue);

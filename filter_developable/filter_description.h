@@ -13,18 +13,29 @@ namespace developable::plugin {
 
 enum class ParameterType { Bool, Int, Float, Length, Enumeration, Mesh };
 
+/// The values that a number may have.
+struct Range {
+	double minimum = -std::numeric_limits<double>::infinity();
+	bool minimumExcluded = false; ///< values must be greater than the minimum
+	double maximum = std::numeric_limits<double>::infinity();
+};
+
 /// One parameter of a dialog and of scripts.
 struct Parameter {
 	std::string name; ///< in scripts
 	ParameterType type = ParameterType::Bool;
 	/// Of a bool 0 or 1, of an enumeration the index; of a mesh it is not used, the current layer is meant.
 	double defaultValue = 0;
-	std::string label;   ///< in the dialog
-	std::string tooltip; ///< one sentence or two
-	/// The least value allowed, where it is a number.
-	double minimum = -std::numeric_limits<double>::infinity();
+	std::string label; ///< in the dialog
+	/// Its first sentence is all that the command line shows; more may follow.
+	std::string tooltip;
+	std::string unit;                     ///< of a number; empty: it has none
+	Range range;                          ///< of a number
+	bool automatic = false;               ///< a length whose default, -1, leaves the choice to the filter
 	std::vector<std::string> values = {}; ///< of an enumeration; their order is fixed
 	bool offWhenColoured = false;         ///< a bool that is false by default on a mesh with vertex colours
+	std::string onlyForSolver;            ///< the choice of `solver` that looks at it; empty: any
+	std::string positiveForSolver;        ///< the choice of `solver` that excludes the range's minimum
 };
 
 /// The menu that a filter is found in.
@@ -36,6 +47,7 @@ enum class Change { Positions, Scalars, Faces, TextureCoordinates };
 struct FilterDescription {
 	std::string name;       ///< in menus and in .mlx scripts
 	std::string pythonName; ///< in pymeshlab
+	std::string shortName;  ///< on the command line
 	FilterClass filterClass = FilterClass::Smoothing;
 	Change change = Change::Positions;
 	std::string help; ///< simple HTML

@@ -16,10 +16,28 @@ namespace developable::plugin {
 
 namespace {
 
+/// Why the run ended, in numbers.
+void addReason(Results& results, const OptimizationReport& report) {
+	const auto [x, y, z] = report.worstPosition;
+	results.push_back({"reason", static_cast<int>(report.reason), ""});
+	results.push_back({"patches_needing_cut", report.patchesNeedingCut, ""});
+	results.push_back({"worst_x", x, ""});
+	results.push_back({"worst_y", y, ""});
+	results.push_back({"worst_z", z, ""});
+}
+
+/// Why the run ended, in a sentence.
+/// \param results  with all the numbers that it takes
+std::string reasonInWords(const OptimizationReport& report, const Results& results) {
+	if (report.reason == Reason::AsStatus)
+		return describe(report.status);
+	return filledIn(reasonProperties[static_cast<int>(report.reason)].text, results);
+}
+
 /// What the log says of the status: never D without C, as D says little on fine meshes.
-std::string statusInWords(const OptimizationReport& report, const Measures& before, const Measures& after,
-						  double angleTolerance) {
-	std::string words = describe(report) + "; D: " + formatted(100 * after.developability, 4) +
+std::string statusInWords(const OptimizationReport& report, const std::string& reason, const Measures& before,
+						  const Measures& after, double angleTolerance) {
+	std::string words = reason + "; D: " + formatted(100 * after.developability, 4) +
 						" % of the area is developable within " + formatted(angleTolerance, 4) +
 						" rad; C: " + formatted(after.totalAbsoluteCurvature, 4) +
 						" rad of total absolute curvature is left of " +
@@ -92,8 +110,10 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	addChanges(results, assembly, result.positions);
 	results.push_back({"iterations", static_cast<int>(report.iterations), ""});
 	results.push_back({"converged", converged(report.status), ""});
-	results.push_back(
-		{"status", static_cast<int>(report.status), statusInWords(report, before, after, angleTolerance)});
+	addReason(results, report);
+	const std::string reason = reasonInWords(report, results);
+	results.push_back({"status", static_cast<int>(report.status),
+					   statusInWords(report, reason, before, after, angleTolerance)});
 	if (report.status != Status::Stopped)
 		write(call, assembly, result.positions);
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

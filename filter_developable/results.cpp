@@ -30,6 +30,19 @@ std::string formatted(double number, int digits) {
 	return std::string(text.data(), end);
 }
 
+std::string filledIn(std::string text, const Results& results) {
+	for (const Result& result : results) {
+		const std::string place = '{' + result.key + '}';
+		const auto* number = std::get_if<double>(&result.value);
+		const std::string value = number != nullptr
+									  ? formatted(*number, 4)
+									  : std::visit([](auto any) { return inWords(any); }, result.value);
+		for (auto at = text.find(place); at != std::string::npos; at = text.find(place))
+			text.replace(at, place.size(), value);
+	}
+	return text;
+}
+
 std::string logLine(const Result& result) {
 	const std::string value = std::visit([](auto number) { return inWords(number); }, result.value);
 	return result.key + ": " + (result.words.empty() ? value : result.words);

@@ -23,6 +23,9 @@ using Results = std::vector<Result>;
 /// A number as short as so many digits allow, with a point whatever the user's locale.
 std::string formatted(double number, int digits = 9);
 
+/// A text with each {key} in place of which that result is put; numbers with four digits.
+std::string filledIn(std::string text, const Results& results);
+
 /// "key: value".
 std::string logLine(const Result& result);
 

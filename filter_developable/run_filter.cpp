@@ -15,11 +15,20 @@ namespace {
 	throw InvalidParameter("The parameter '" + parameter.name + "' is " + value + ": " + advice);
 }
 
-void checkNumber(const Parameter& parameter, double value) {
+/// \param minimumExcluded  also when the parameter's own range has it
+void checkNumber(const Parameter& parameter, double value, bool minimumExcluded) {
+	const Range& range = parameter.range;
 	if (!std::isfinite(value))
 		refuse(parameter, formatted(value), "choose a finite number.");
-	if (value < parameter.minimum)
-		refuse(parameter, formatted(value), "choose " + formatted(parameter.minimum) + " or more.");
+	if (value >= range.minimum && value <= range.maximum && !(minimumExcluded && value == range.minimum))
+		return;
+	std::string advice = minimumExcluded ? "choose more than " + formatted(range.minimum)
+										 : "choose " + formatted(range.minimum) + " or more";
+	if (std::isfinite(range.maximum))
+		advice += ", and at most " + formatted(range.maximum);
+	if (minimumExcluded && !range.minimumExcluded)
+		advice += " with the solver " + parameter.positiveForSolver;
+	refuse(parameter, formatted(value), advice + ".");
 }
 
 void checkEnumeration(const Parameter& parameter, int index) {
@@ -31,14 +40,26 @@ void checkEnumeration(const Parameter& parameter, int index) {
 	refuse(parameter, std::to_string(index), "choose one of " + choices + ".");
 }
 
-void check(const Parameter& parameter, const ParameterValues& values) {
+/// The choice of the filter's parameter `solver`; empty when it has none.
+std::string chosenSolver(const FilterDescription& filter, const ParameterValues& values) {
+	for (const Parameter& parameter : filter.parameters)
+		if (parameter.name == "solver") {
+			checkEnumeration(parameter, values.integer("solver"));
+			return parameter.values[std::size_t(values.integer("solver"))];
+		}
+	return "";
+}
+
+void check(const Parameter& parameter, const ParameterValues& values, const std::string& solver) {
+	const bool minimumExcluded =
+		parameter.range.minimumExcluded || (!solver.empty() && parameter.positiveForSolver == solver);
 	switch (parameter.type) {
 	case ParameterType::Int:
-		checkNumber(parameter, values.integer(parameter.name));
+		checkNumber(parameter, values.integer(parameter.name), minimumExcluded);
 		break;
 	case ParameterType::Float:
 	case ParameterType::Length:
-		checkNumber(parameter, values.number(parameter.name));
+		checkNumber(parameter, values.number(parameter.name), minimumExcluded);
 		break;
 	case ParameterType::Enumeration:
 		checkEnumeration(parameter, values.integer(parameter.name));
@@ -52,8 +73,9 @@ void check(const Parameter& parameter, const ParameterValues& values) {
 } // namespace
 
 Results runFilter(const FilterDescription& filter, FilterCall& call) {
+	const std::string solver = chosenSolver(filter, call.values);
 	for (const Parameter& parameter : filter.parameters)
-		check(parameter, call.values);
+		check(parameter, call.values, solver);
 	call.log(filter.name);
 	Results results = filter.run(call);
 	for (const Result& result : results)

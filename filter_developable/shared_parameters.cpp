@@ -21,16 +21,17 @@ Parameter intParameter(std::string name, int defaultValue, int minimum, std::str
 	Parameter parameter = boolParameter(std::move(name), false, std::move(label), std::move(tooltip));
 	parameter.type = ParameterType::Int;
 	parameter.defaultValue = defaultValue;
-	parameter.minimum = minimum;
+	parameter.range.minimum = minimum;
 	return parameter;
 }
 
-Parameter floatParameter(std::string name, double defaultValue, double minimum, std::string label,
-						 std::string tooltip) {
+Parameter floatParameter(std::string name, double defaultValue, Range range, std::string unit,
+						 std::string label, std::string tooltip) {
 	Parameter parameter = boolParameter(std::move(name), false, std::move(label), std::move(tooltip));
 	parameter.type = ParameterType::Float;
 	parameter.defaultValue = defaultValue;
-	parameter.minimum = minimum;
+	parameter.range = range;
+	parameter.unit = std::move(unit);
 	return parameter;
 }
 
@@ -45,30 +46,31 @@ Parameter enumeration(std::string name, std::vector<std::string> values, int def
 
 Parameter lengthParameter(std::string name, double defaultValue, std::string label, std::string tooltip) {
 	Parameter parameter =
-		floatParameter(std::move(name), defaultValue, 0, std::move(label), std::move(tooltip));
+		floatParameter(std::move(name), defaultValue, {0}, "length", std::move(label), std::move(tooltip));
 	parameter.type = ParameterType::Length;
 	return parameter;
 }
 
 Parameter automaticLength(std::string name, std::string label, std::string tooltip) {
 	Parameter parameter = lengthParameter(std::move(name), -1, std::move(label), std::move(tooltip));
-	parameter.minimum = -std::numeric_limits<double>::infinity();
+	parameter.range = Range();
+	parameter.automatic = true;
 	return parameter;
 }
 
 Parameter patchesParameter() {
 	return enumeration(
 		"patches", {"Connected components", "Face colour", "Texture islands", "Face quality"}, 0, "Patches",
-		"What separates the patches, the panels that are each made developable while they stay sewn "
-		"together (Wang and Tang 2004, Section 3.1): nothing but gaps, or also the edges between "
-		"faces of different colour, of different texture islands, or of different quality.");
+		"What separates the patches: nothing but gaps, or also edges between faces of different colour, "
+		"texture island or quality. Patches are the panels that are each made developable while they stay "
+		"sewn together (Wang and Tang 2004, Section 3.1).");
 }
 
 Parameter weldDistanceParameter() {
 	return lengthParameter(
 		"weld_distance", 0, "Weld distance",
-		"Vertices at most this far apart are linked and move as one, so that seams stay closed "
-		"(Section 4.2); 0 links only those with equal coordinates.");
+		"Vertices at most this far apart are linked and move as one; 0 links only those with equal "
+		"coordinates. So seams stay closed (Section 4.2).");
 }
 
 Parameter onlySelectedParameter() {
@@ -88,10 +90,10 @@ Parameter fixSelectedParameter() {
 
 Parameter angleToleranceParameter() {
 	return floatParameter(
-		"angle_tolerance", 1e-4, 0, "Angle tolerance (rad)",
-		"A vertex whose angle defect g (Eq. 5) is no larger than this counts as a developable "
-		"point in D (Eq. 2); the paper's own setting is 0.01 rad. On fine meshes every vertex "
-		"passes, so look at the total absolute curvature C too.");
+		"angle_tolerance", 1e-4, {0}, "rad", "Angle tolerance",
+		"A vertex whose angle defect is no larger than this counts as a developable point. The angle defect "
+		"is the g of Eq. 5, and D of Eq. 2 is the share of such points; the paper's own setting is 0.01 rad. "
+		"On fine meshes every vertex passes, so look at the total absolute curvature C too.");
 }
 
 Parameter mapParameter(std::vector<std::string> more) {
@@ -101,7 +103,7 @@ Parameter mapParameter(std::vector<std::string> more) {
 	maps.insert(maps.end(), more.begin(), more.end());
 	return enumeration(
 		"map", std::move(maps), 0, "Map",
-		"What is written to the vertex quality: the squared angle defect (the paper's Gaussian map, "
+		"What is written to the vertex quality. It can be the squared angle defect (the paper's Gaussian map, "
 		"Fig. 5), the angle defect g (Eq. 5), the Gaussian curvature (Eq. 1), the principal "
 		"curvature of smaller or of larger absolute value (Fig. 10), the distance to the original "
 		"surface (Fig. 8), or the distance moved.");
@@ -110,9 +112,9 @@ Parameter mapParameter(std::vector<std::string> more) {
 Parameter colorizeParameter() {
 	Parameter parameter = boolParameter(
 		"colorize", true, "Colour the vertices",
-		"Colour the vertices by the map, so that it shows at once: from light yellow at 0 to dark "
-		"violet, or where values have a sign from blue by light grey at 0 to red. The log says the "
-		"range. This replaces the vertex colours.");
+		"Colour the vertices by the map, in place of the colours that they have. Colours go from light yellow "
+		"at 0 to dark violet, or where values have a sign from blue by light grey at 0 to red; the log says "
+		"the range.");
 	parameter.offWhenColoured = true;
 	return parameter;
 }

@@ -11,8 +11,9 @@ namespace developable::plugin {
 Parameter boolParameter(std::string name, bool defaultValue, std::string label, std::string tooltip);
 Parameter intParameter(std::string name, int defaultValue, int minimum, std::string label,
 					   std::string tooltip);
-Parameter floatParameter(std::string name, double defaultValue, double minimum, std::string label,
-						 std::string tooltip);
+/// \param unit  empty: none
+Parameter floatParameter(std::string name, double defaultValue, Range range, std::string unit,
+						 std::string label, std::string tooltip);
 Parameter enumeration(std::string name, std::vector<std::string> values, int defaultIndex, std::string label,
 					  std::string tooltip);
 

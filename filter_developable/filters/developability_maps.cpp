@@ -99,8 +99,8 @@ Parameter referenceParameter() {
 	parameter.type = ParameterType::Mesh;
 	parameter.label = "Reference";
 	parameter.tooltip =
-		"The layer that the maps Distance (Fig. 8) and Displacement are measured from; the current "
-		"layer means the shape that its last optimisation started from.";
+		"The layer that the maps Distance and Displacement are measured from. The current layer means the "
+		"shape that its last optimisation started from; see Fig. 8.";
 	return parameter;
 }
 
@@ -110,6 +110,7 @@ FilterDescription developabilityMaps() {
 	FilterDescription filter;
 	filter.name = "Developability Maps";
 	filter.pythonName = "compute_scalar_by_developability_per_vertex";
+	filter.shortName = "maps";
 	filter.filterClass = FilterClass::Quality;
 	filter.change = Change::Scalars;
 	filter.help =

@@ -116,6 +116,7 @@ FilterDescription patchFlattening() {
 	FilterDescription filter;
 	filter.name = "Flatten Patches";
 	filter.pythonName = "generate_flat_patches";
+	filter.shortName = "flatten";
 	filter.filterClass = FilterClass::Texture;
 	filter.change = Change::TextureCoordinates;
 	filter.help =
@@ -138,11 +139,11 @@ FilterDescription patchFlattening() {
 		onlySelectedParameter(),
 		automaticLength(
 			"gap", "Gap",
-			"How far apart the pieces lie; -1, as any negative number, means 2 % of the diagonal of "
-			"the largest piece's box."),
+			"How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box. Any "
+			"negative number means that."),
 		enumeration(
 			"map", {"Edge strain", "Elastic energy"}, 0, "Map",
-			"What is written to the vertex quality of the model and of the patterns: the greatest strain "
+			"What is written to the vertex quality of the model and of the patterns. It is the greatest strain "
 			"of the edges at a vertex, or half of the energy of these edges (Fig. 1)."),
 		boolParameter(
 			"write_texture_coordinates", false, "Write texture coordinates",

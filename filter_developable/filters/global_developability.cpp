@@ -14,6 +14,15 @@ namespace {
 /// In the order of the `solver` enumeration.
 enum class Solver { ConstrainedNewton, ConjugateGradient };
 
+/// In the same order.
+std::vector<std::string> solverNames() {
+	return {"Constrained Newton", "Conjugate gradient"};
+}
+
+std::string nameOf(Solver solver) {
+	return solverNames()[std::size_t(solver)];
+}
+
 OptimizationReport runConjugateGradient(const ParameterValues& values, const PatchAssembly& assembly,
 										Positions& positions, const Progress& progress) {
 	PenaltyMethodOptions options;
@@ -43,12 +52,62 @@ Results run(FilterCall& call) {
 	return optimizeLayer(call, method).results;
 }
 
+/// A parameter that only one solver looks at.
+Parameter onlyFor(Solver solver, Parameter parameter) {
+	parameter.onlyForSolver = nameOf(solver);
+	parameter.tooltip = parameter.onlyForSolver + " only: " + parameter.tooltip;
+	return parameter;
+}
+
+/// As in other filters, but one solver does not take 0.
+Parameter positiveAngleTolerance() {
+	Parameter parameter = angleToleranceParameter();
+	parameter.positiveForSolver = nameOf(Solver::ConstrainedNewton);
+	return parameter;
+}
+
+std::vector<Parameter> parameters() {
+	return {
+		enumeration(
+			"solver", solverNames(), 0, "Solver",
+			"How the shape is found: by Newton steps all the way to developable, or as in the paper. The steps "
+			"bring all angle defects to zero at the least deformation; the paper's conjugate gradients with a "
+			"penalty (Section 4.1) stop short of that."),
+		patchesParameter(),
+		weldDistanceParameter(),
+		onlySelectedParameter(),
+		fixBoundaryParameter(),
+		fixSelectedParameter(),
+		positiveAngleTolerance(),
+		onlyFor(Solver::ConstrainedNewton,
+				floatParameter(
+					"curvature_tolerance", 1e-4, {0, true}, "rad", "Curvature tolerance",
+					"a patch is developable when its absolute angle defects add up to no more than this.")),
+		intParameter(
+			"max_iterations", 200, 0, "Largest number of iterations",
+			"The run ends after so many steps at the latest. It is the paper's N_max (Section 4.1)."),
+		onlyFor(
+			Solver::ConjugateGradient,
+			floatParameter("relative_change", 1e-4, {0}, "", "Least relative change",
+						   "the run ends when a step changes G by less than this share of its first value. G "
+						   "is the detect function, and this the paper's eta of 0.01 % (Section 4.1).")),
+		onlyFor(Solver::ConstrainedNewton,
+				floatParameter(
+					"smoothness", ConstrainedNewtonOptions().smoothness, {0, true, 1}, "", "Smoothness",
+					"how much weight bending has against distance; larger values give fewer wrinkles. "
+					"They also move the surface more.")),
+		mapParameter(),
+		colorizeParameter(),
+	};
+}
+
 } // namespace
 
 FilterDescription globalDevelopability() {
 	FilterDescription filter;
 	filter.name = "Global Developability";
 	filter.pythonName = "apply_coord_global_developability";
+	filter.shortName = "global";
 	filter.filterClass = FilterClass::Smoothing;
 	filter.change = Change::Positions;
 	filter.help =
@@ -65,35 +124,7 @@ FilterDescription globalDevelopability() {
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
 		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
 		"Section 4.";
-	filter.parameters = {
-		enumeration(
-			"solver", {"Constrained Newton", "Conjugate gradient"}, 0, "Solver",
-			"How the shape is found: by Newton steps that bring all angle defects to zero at the least "
-			"deformation, or by the paper's conjugate gradients with a penalty (Section 4.1), which stop "
-			"short of that."),
-		patchesParameter(),
-		weldDistanceParameter(),
-		onlySelectedParameter(),
-		fixBoundaryParameter(),
-		fixSelectedParameter(),
-		angleToleranceParameter(),
-		floatParameter(
-			"curvature_tolerance", 1e-4, 0, "Curvature tolerance (rad)",
-			"Constrained Newton only: a patch is developable when the absolute angle defects of all its "
-			"vertices add up to no more than this."),
-		intParameter("max_iterations", 200, 0, "Largest number of iterations",
-					 "The run ends after so many steps at the latest; the paper's N_max (Section 4.1)."),
-		floatParameter(
-			"relative_change", 1e-4, 0, "Least relative change",
-			"Conjugate gradient only: the run ends when a step changes the detect function by less than "
-			"this share of its first value; the paper's eta of 0.01 % (Section 4.1)."),
-		floatParameter(
-			"smoothness", ConstrainedNewtonOptions().smoothness, 0, "Smoothness",
-			"Constrained Newton only: how much weight bending has against distance; larger values give "
-			"fewer wrinkles and move the surface more."),
-		mapParameter(),
-		colorizeParameter(),
-	};
+	filter.parameters = parameters();
 	filter.run = run;
 	return filter;
 }

@@ -50,6 +50,7 @@ FilterDescription localDevelopability() {
 	FilterDescription filter;
 	filter.name = "Local Developability";
 	filter.pythonName = "apply_coord_local_developability";
+	filter.shortName = "local";
 	filter.filterClass = FilterClass::Smoothing;
 	filter.change = Change::Positions;
 	filter.help =
@@ -75,29 +76,29 @@ FilterDescription localDevelopability() {
 		angleToleranceParameter(),
 		automaticLength(
 			"max_displacement", "Largest displacement",
-			"How far a vertex may move along its original normal, the paper's difference tolerance "
-			"(Section 5.2.1); -1, as any negative number, means the mean edge length."),
+			"How far a vertex may move along its original normal; -1 means the mean edge length. Any "
+			"negative number means that; it is the paper's difference tolerance (Section 5.2.1)."),
 		intParameter("max_operations", 500000, 0, "Largest number of operations",
-					 "The run ends after so many visits to a vertex at the latest; the paper's N_max "
+					 "The run ends after so many visits to a vertex at the latest. It is the paper's N_max "
 					 "(Section 5.2.2)."),
 		boolParameter(
 			"descent", false, "Only downhill",
-			"Halve each move until the vertex and its neighbours come nearer to developable, and set the "
-			"vertex aside if none does. Often gets farther with fewer wrinkles; the paper takes every move "
+			"Halve each move until the vertex and its neighbours come nearer to developable, and set it aside "
+			"if none does. Often gets farther with fewer wrinkles; the paper takes every move "
 			"as it is (Section 5.1)."),
 		floatParameter(
-			"smoothing", 0, 0, "Smoothing",
-			"How strongly the moves of neighbours are kept alike, against wrinkles: weight of their mean "
-			"square difference in mean edge lengths, rad². Try 0.01 to 0.1, best with 'Only downhill'; 0 "
-			"is the paper's method (Section 7)."),
+			"smoothing", 0, {0}, "rad²", "Smoothing",
+			"How strongly the moves of neighbours are kept alike, against wrinkles; try 0.01 to 0.1. It is the "
+			"weight of their mean square difference in mean edge lengths, best with 'Only downhill'; 0 is the "
+			"paper's method (Section 7)."),
 		enumeration(
 			"assembling_vertices", {"Fixed", "Move together"}, 0, "Assembling vertices",
-			"Whether vertices on seams stay fixed, as in the paper (Section 5.2.3), or move together with "
-			"all panels that meet there, best with 'Only downhill'."),
+			"Whether vertices on seams stay fixed, or move together with all panels that meet there. The "
+			"paper has them stay (Section 5.2.3); moving is best with 'Only downhill'."),
 		boolParameter(
 			"avoid_self_intersections", false, "Avoid self-intersections",
-			"Shorten or refuse moves that would make the surface cut itself, which the paper leaves open "
-			"(Section 7). Takes two to four times as long."),
+			"Shorten or refuse moves that would make the surface cut itself. Takes two to four times as long; "
+			"the paper leaves it open (Section 7)."),
 		mapParameter(),
 		colorizeParameter(),
 	};

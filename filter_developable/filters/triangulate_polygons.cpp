@@ -26,6 +26,7 @@ FilterDescription polygonTriangulation() {
 	FilterDescription filter;
 	filter.name = "Triangulate Polygons (Constrained Delaunay)";
 	filter.pythonName = "meshing_polygons_to_constrained_delaunay";
+	filter.shortName = "triangulate";
 	filter.filterClass = FilterClass::Remeshing;
 	filter.change = Change::Faces;
 	filter.help =

@@ -13,11 +13,12 @@ from meshlab_developable.errors import (
     PatternError,
     PluginNotFoundError,
 )
-from meshlab_developable.flattening import FlatteningResult, flatten
-from meshlab_developable.methods import Developed, Measured, make_developable, measure
+from meshlab_developable.flattening import FlatteningResult
+from meshlab_developable.methods import Developed, Measured
 from meshlab_developable.plugin import load
 from meshlab_developable.reports import LocalReport, Measures, OptimizationReport, PatternReport, Status
 from meshlab_developable.sewing import Seam
+from meshlab_developable.signatures import flatten, make_developable, measure
 
 __version__ = "0.1.0"
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from meshlab_developable import mesh_sets
 from meshlab_developable.errors import InvalidMeshError
-from meshlab_developable.filters import FLATTEN, MEASURE
+from meshlab_developable.filters import FLATTEN, MAPS
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
 from meshlab_developable.methods import METHODS
 from meshlab_developable.reports import Measures, OptimizationReport
@@ -26,11 +26,11 @@ def measure_file(
     Parameters are those of the filter Developability Maps. Raises InvalidMeshError, InvalidParameterError,
     FilterError and what `load` raises.
     """
-    values = MEASURE.checked(parameters)
+    values = MAPS.checked(parameters)
     meshes = mesh_sets.open_mesh(source)
     if reference is not None:
         values["reference"] = mesh_sets.add_layer(meshes, reference)
-    result = mesh_sets.apply_filter(meshes, MEASURE, values)
+    result = mesh_sets.apply_filter(meshes, MAPS, values)
     if target is not None:
         save_whole(meshes, target)
     return Measures.from_values(result)

@@ -50,8 +50,8 @@ def flatten(
 
     only_selected: m of bool; only the patches with such a face are laid flat. face_labels: m of any kind;
     patches meet where labels differ. texture_coordinates: n x 2, or m x 3 x 2 at the faces' corners; patches
-    are the texture islands. Other parameters are those of the filter Flatten Patches: `patches`,
-    `weld_distance` and `gap` (lengths), `map`.
+    are the texture islands. Other parameters are those of the filter Flatten Patches; lengths are plain
+    numbers in the mesh's unit.
 
     Raises InvalidMeshError, InvalidParameterError, FilterError (for closed patches, patches with handles,
     faces without area) and what `load` raises.

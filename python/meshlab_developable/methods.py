@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from meshlab_developable import mesh_sets, plugin
 from meshlab_developable.errors import InvalidParameterError
-from meshlab_developable.filters import GLOBAL, LOCAL, MEASURE, Filter
+from meshlab_developable.filters import GLOBAL, LOCAL, MAPS, Filter
 from meshlab_developable.mesh_sets import Array, IndexArray, Source
 from meshlab_developable.reports import LocalReport, Measures, OptimizationReport
 
@@ -59,23 +59,23 @@ def measure(
     face_labels: m of any kind; patches meet where labels differ. texture_coordinates: n x 2, or m x 3 x 2 at
     the faces' corners; patches are the texture islands. reference: the mesh, as a source or as a pair of
     vertices and faces, that the maps Distance and Displacement are measured to. Other parameters are those of
-    the filter Developability Maps: `angle_tolerance` (rad), `weld_distance` (a length), `patches`, `map`.
+    the filter Developability Maps; lengths are plain numbers in the mesh's unit.
 
     Raises InvalidMeshError, InvalidParameterError, FilterError and what `load` raises.
     """
-    values = MEASURE.checked(array_parameters(parameters, MEASURE, face_labels, texture_coordinates))
+    values = MAPS.checked(array_parameters(parameters, MAPS, face_labels, texture_coordinates))
     meshes = opened(vertices, faces, face_labels, texture_coordinates)
     if reference is not None:
         pair = reference if isinstance(reference, tuple) else (reference,)
         values["reference"] = mesh_sets.add_layer(meshes, *pair)
-    result = mesh_sets.apply_filter(meshes, MEASURE, values)
+    result = mesh_sets.apply_filter(meshes, MAPS, values)
     return Measured(Measures.from_values(result), plugin.vertex_quality(meshes.current_mesh()))
 
 
 def make_developable(
     vertices: Source,
     faces: npt.ArrayLike | None = None,
-    method: str = "global",
+    method: Literal["global", "local"] = "global",
     *,
     only_selected: npt.ArrayLike = False,
     fix_selected: npt.ArrayLike = False,

@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The filters' parameters: what each takes, from Python values and from text, and how a script writes it.
+"""Filters and their parameters: what each takes, from Python or as text, and how a script writes it.
 
 Values are plain Python values (lengths are numbers in the mesh's unit) and checked before a filter runs.
+What filters and parameters there are is in description.py.
 """
 
 from __future__ import annotations
 
 import abc
 import dataclasses
+import difflib
 import math
 import numbers
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+
+from meshlab_developable.errors import InvalidParameterError
 
 TRUE, FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
@@ -77,15 +82,32 @@ class Whole(Kind):
 
 @dataclasses.dataclass(frozen=True)
 class Number(Kind):
-    """A finite number, 0 or more."""
+    """A finite number within a range."""
 
+    minimum: float = 0.0
+    minimum_excluded: bool = False
+    maximum: float = math.inf
+    positive_for_solver: str = ""  # the choice of `solver` that excludes the minimum too
     script_type = "RichFloat"
 
     def check(self, value: Any) -> float:
         """Any kind of real number."""
-        if not _is_finite(value) or value < 0:
-            raise ValueError("must be a finite number, 0 or more")
+        if not _is_finite(value) or not self._has(value):
+            raise ValueError(f"must be a finite number, {self.range_in_words}")
         return float(value)
+
+    @property
+    def range_in_words(self) -> str:
+        """What would do."""
+        least = f"greater than {self.minimum:g}" if self.minimum_excluded else f"{self.minimum:g} or more"
+        most = f" and at most {self.maximum:g}" if math.isfinite(self.maximum) else ""
+        solver = self.positive_for_solver
+        exception = f", greater than {self.minimum:g} with the solver {solver!r}" if solver else ""
+        return least + most + exception
+
+    def _has(self, value: float) -> bool:
+        above = value > self.minimum if self.minimum_excluded else value >= self.minimum
+        return above and value <= self.maximum
 
     def parse(self, text: str) -> float:
         """As Python writes numbers."""
@@ -170,7 +192,62 @@ class Parameter:
     name: str
     kind: Kind
     default: Any
+    unit: str  # "length" for the mesh's; empty where there is none
     help: str  # a sentence
+
+
+@dataclasses.dataclass(frozen=True)
+class Filter:
+    """A filter of the plugin."""
+
+    name: str  # on the command line
+    title: str  # in menus and .mlx scripts
+    function: str  # in pymeshlab
+    parameters: tuple[Parameter, ...]
+
+    def parameter(self, name: str) -> Parameter:
+        """The parameter of that name. Raises InvalidParameterError, with the nearest name."""
+        for parameter in self.parameters:
+            if parameter.name == name:
+                return parameter
+        names = [parameter.name for parameter in self.parameters]
+        near = difflib.get_close_matches(name, names, n=1)
+        hint = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(names) or 'none'}."
+        raise InvalidParameterError(f"{self.title} has no parameter {name!r}; {hint}")
+
+    def checked(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """The values as plain Python values.
+
+        Raises InvalidParameterError for a name that the filter has not, naming the nearest, and for a value
+        that it does not take, saying what would do.
+        """
+        plain = {
+            name: _convert(name, value, self.parameter(name).kind.check) for name, value in values.items()
+        }
+        self._check_for_solver(plain)
+        return plain
+
+    def parsed(self, texts: Mapping[str, str]) -> dict[str, Any]:
+        """The values that texts stand for. Raises as `checked` does."""
+        return {name: _convert(name, text, self.parameter(name).kind.parse) for name, text in texts.items()}
+
+    def _check_for_solver(self, values: Mapping[str, Any]) -> None:
+        solver = values.get("solver") or next(
+            (p.default for p in self.parameters if p.name == "solver"), None
+        )
+        for name, value in values.items():
+            kind = self.parameter(name).kind
+            if isinstance(kind, Number) and kind.positive_for_solver == solver and value == kind.minimum:
+                raise InvalidParameterError(
+                    f"{name} is {value!r}, but must be a finite number, {kind.range_in_words}"
+                )
+
+
+def _convert(name: str, value: Any, conversion: Callable[[Any], Any]) -> Any:
+    try:
+        return conversion(value)
+    except ValueError as error:
+        raise InvalidParameterError(f"{name} is {value!r}, but {error}") from None
 
 
 def _is_integer(value: Any) -> bool:

@@ -14,15 +14,10 @@ import numpy as np
 import numpy.typing as npt
 import pymeshlab
 
+from meshlab_developable import filters
 from meshlab_developable.errors import PluginNotFoundError
 
-FILTERS = (
-    "apply_coord_global_developability",
-    "apply_coord_local_developability",
-    "compute_scalar_by_developability_per_vertex",
-    "generate_flat_patches",
-    "meshing_polygons_to_constrained_delaunay",
-)
+FILTERS = tuple(known.function for known in filters.FILTERS)
 PLUGIN_FILE = "libfilter_developable.so"
 _HOST = re.compile(r"pymeshlab-(\d+\.\d+)")
 

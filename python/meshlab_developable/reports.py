@@ -4,35 +4,12 @@
 from __future__ import annotations
 
 import dataclasses
-import enum
 from collections.abc import Mapping
 from typing import Any, Self
 
+from meshlab_developable.description import Reason, Status
 
-class Status(enum.IntEnum):
-    """Why an optimisation ended; `text` says it in the words of the filters' log."""
-
-    CONVERGED = 0
-    STALLED = 1
-    LIMIT_REACHED = 2
-    NEEDS_CUT = 3
-    STOPPED = 4
-    NOTHING_TO_DO = 5
-
-    @property
-    def text(self) -> str:
-        """The status in words."""
-        return _STATUS_TEXTS[self]
-
-
-_STATUS_TEXTS = {
-    Status.CONVERGED: "converged",
-    Status.STALLED: "stalled: further steps would change next to nothing",
-    Status.LIMIT_REACHED: "stopped at the limit of iterations or operations",
-    Status.NEEDS_CUT: "no developable shape near this one: it needs a cut",
-    Status.STOPPED: "stopped by the user: nothing was changed",
-    Status.NOTHING_TO_DO: "nothing to do: developable from the start",
-}
+__all__ = ["LocalReport", "Measures", "OptimizationReport", "PatternReport", "Status"]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,15 +56,33 @@ class OptimizationReport(_Report):
     iterations: int  # of the local method: operations attempted
     converged: bool
     status: Status
+    reason: str  # why the run ended, a sentence, in the words of the filter's log
+    patches_needing_cut: int
+    worst_x: float  # where a cut is needed first of all; 0, 0, 0 where none is
+    worst_y: float
+    worst_z: float
     seconds: float
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "status", Status(self.status))
+    @classmethod
+    def from_values(cls, values: Mapping[str, Any]) -> Self:
+        """From the dictionary that the filter returned, which must have every key."""
+        words = {"status": Status(values["status"]), "reason": _reason_in_words(values)}
+        return super().from_values({**values, **words})
 
     @property
     def developable(self) -> bool:
         """Whether the result is, by the method's own tolerances."""
         return self.status in (Status.CONVERGED, Status.NOTHING_TO_DO)
+
+
+def _reason_in_words(values: Mapping[str, Any]) -> str:
+    """What the reason says, or the status where it has nothing to add; with the numbers put in as the plugin
+    does it."""
+    text = Reason(values["reason"]).text or Status(values["status"]).text
+    shown = {
+        name: f"{value:.4g}" if isinstance(value, float) else str(value) for name, value in values.items()
+    }
+    return text.format_map(shown)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -84,10 +84,8 @@ def test_a_number_out_of_range(name, value):
         (GLOBAL, "weld_distance", Length(-1)),
         (LOCAL, "weld_distance", Length(-1)),
         (MAPS, "weld_distance", Length(-1)),
-        (GLOBAL, "curvature_tolerance", -1),
         (GLOBAL, "max_iterations", -1),
         (GLOBAL, "relative_change", -1),
-        (GLOBAL, "smoothness", -1),
         (LOCAL, "max_operations", -1),
         (LOCAL, "smoothing", -1),
     ],
@@ -95,6 +93,26 @@ def test_a_number_out_of_range(name, value):
 def test_negative_values(name, parameter, value):
     sentence = refusal(mesh_set(bump()), name, **{parameter: value})
     assert sentence == f"The parameter '{parameter}' is -1: choose 0 or more."
+
+
+POSITIVE = [
+    ("curvature_tolerance", 0, "is 0: choose more than 0."),
+    ("curvature_tolerance", -1, "is -1: choose more than 0."),
+    ("smoothness", 0, "is 0: choose more than 0, and at most 1."),
+    ("smoothness", -1, "is -1: choose more than 0, and at most 1."),
+    ("smoothness", 1.5, "is 1.5: choose more than 0, and at most 1."),
+    ("angle_tolerance", 0, "is 0: choose more than 0 with the solver Constrained Newton."),
+]
+
+
+@pytest.mark.parametrize(("parameter", "value", "words"), POSITIVE)
+def test_what_the_solver_would_refuse_is_refused_by_its_name(parameter, value, words):
+    assert refusal(mesh_set(bump()), GLOBAL, **{parameter: value}) == f"The parameter '{parameter}' {words}"
+
+
+def test_conjugate_gradients_take_an_angle_tolerance_of_zero():
+    few = {"solver": "Conjugate gradient", "max_iterations": 1}
+    assert optimized(bump(), angle_tolerance=0, **few)[1]["iterations"] == 1
 
 
 def test_a_largest_displacement_that_is_no_number():

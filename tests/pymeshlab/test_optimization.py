@@ -34,6 +34,11 @@ COMMON_KEYS = {
     "iterations",
     "converged",
     "status",
+    "reason",
+    "patches_needing_cut",
+    "worst_x",
+    "worst_y",
+    "worst_z",
     "seconds",
 }
 LOCAL_KEYS = {"set_aside", "refused_moves", "roughness_before", "roughness_after"}
@@ -43,6 +48,8 @@ INTEGERS = {
     "interior_vertices",
     "iterations",
     "status",
+    "reason",
+    "patches_needing_cut",
     "set_aside",
     "refused_moves",
 }

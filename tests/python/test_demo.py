@@ -142,7 +142,7 @@ def test_text_report_has_the_numbers(study, folder):
     text = (folder / "report.txt").read_text(encoding="utf-8")
     assert f"{len(study.vertices)} vertices, {len(study.faces)} faces, 4 patches" in text
     for outcome in study.outcomes:
-        assert f"{outcome.method.title}: {outcome.report.status.text}" in text
+        assert f"{outcome.method.title}: {outcome.report.reason}" in text
         assert verdict(study, outcome) in text
         assert f"{outcome.report.total_absolute_curvature_after:.4g} rad" in text
         assert f"{outcome.report.max_displacement:.4g} cm" in text
@@ -173,7 +173,7 @@ def test_page_has_the_numbers_and_needs_nothing_else(study, page):
     assert "Short pants <of four panels>." in words
     for outcome in study.outcomes:
         assert verdict(study, outcome) in words
-        assert outcome.report.status.text in words
+        assert outcome.report.reason in words
         assert f"{outcome.report.detect_function_after:.4g} rad²" in words
     assert len(parser.alternatives) == len(study.figures) + 1
     assert all(parser.alternatives)

@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import ctypes
-import dataclasses
 import json
 import os
 import resource
@@ -65,8 +64,7 @@ def _developed(request: dict[str, Any]) -> dict[str, Any]:
         write_thumbnail(path, meshes.current_mesh())
     report = report_type.from_values(numbers)
     state = State.DONE if report.developable else State.NOT_CONVERGED
-    numbers = dataclasses.asdict(report) | {"status": int(report.status)}
-    return {"state": state, "message": report.status.text, "numbers": numbers}
+    return {"state": state, "message": report.reason, "numbers": numbers}
 
 
 def _die_with(parent: int) -> None:

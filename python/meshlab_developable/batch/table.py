@@ -16,7 +16,7 @@ from meshlab_developable.batch.records import Row
 from meshlab_developable.file_methods import written_whole
 from meshlab_developable.methods import METHODS
 
-_TYPES = {bool: pyarrow.bool_(), float: pyarrow.float64()}
+_TYPES = {bool: pyarrow.bool_(), float: pyarrow.float64()}  # others are whole numbers, as filters return them
 
 
 def write_tables(out: Path, rows: Sequence[Row], method: str, scratch: Path) -> None:

@@ -11,13 +11,13 @@ import click
 
 from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
-from meshlab_developable.filters import MEASURE
+from meshlab_developable.filters import MAPS
 
 
 @click.command(name="measure")
 @click.argument("meshes", nargs=-1, required=True, type=shared.MESH)
 @shared.output_option("Write the mesh with the map in it.", required=False)
-@shared.filter_options(MEASURE, without=["reference"])
+@shared.filter_options(MAPS, without=["reference"])
 @click.option(
     "--reference", type=shared.MESH, help="The mesh that Distance and Displacement are measured to."
 )

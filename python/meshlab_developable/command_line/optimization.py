@@ -25,7 +25,7 @@ def optimization_command(applied: Filter, explanation: str) -> click.Command:
         with shared.errors_in_words(as_json), progress_shown(applied.title, quiet or as_json) as shown:
             report = develop_file(mesh, output, applied.name, verbose=shown, **shared.given(options))
         values = dataclasses.asdict(report) | {"status": report.status.name.lower()}
-        said = report.status.text
+        said = values.pop("reason")
         shared.print_result(as_json, f"{output}: {said}", values, input=mesh, output=output, message=said)
         sys.exit(shared.Exit.DONE if report.developable else shared.Exit.NOT_CONVERGED)
 

@@ -16,7 +16,7 @@ from click.shell_completion import CompletionItem
 
 from meshlab_developable.errors import DevelopableError, InvalidParameterError
 from meshlab_developable.filters import Filter
-from meshlab_developable.parameters import Boolean, Choice, Kind, Parameter
+from meshlab_developable.parameters import Boolean, Choice, Kind, Number, Parameter
 
 
 class Exit(enum.IntEnum):
@@ -137,8 +137,10 @@ def assignments(texts: Collection[str]) -> dict[str, str]:
 
 def _option(parameter: Parameter) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     name = "--" + parameter.name.replace("_", "-")
-    text = f"{parameter.help}  [default: {_shown(parameter)}]"
     kind = parameter.kind
+    allowed = kind.range_in_words if isinstance(kind, Number) and kind != Number() else ""
+    notes = filter(None, (parameter.unit, allowed, f"default: {_shown(parameter)}"))
+    text = f"{parameter.help}  [{'; '.join(notes)}]"
     if isinstance(kind, Boolean):
         return click.option(f"{name}/--no-{name[2:]}", parameter.name, default=None, help=text)
     return click.option(name, parameter.name, type=Value(kind), help=text)

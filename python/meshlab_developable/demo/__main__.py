@@ -72,7 +72,7 @@ def run(inputs: Sequence[Input], methods: Sequence[Method], folder: Path) -> lis
         print(f"{source.name}: {source.what}", flush=True)
         result = study(source, methods, ANGLE_TOLERANCE, folder)
         for outcome in result.outcomes:
-            print(f"  {outcome.method.title}: {outcome.report.status.text}")
+            print(f"  {outcome.method.title}: {outcome.report.reason}")
             print(f"    {verdict(result, outcome)}", flush=True)
             if outcome.pattern:
                 print(f"    {flatness(outcome.pattern)}", flush=True)

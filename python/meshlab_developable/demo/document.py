@@ -127,7 +127,7 @@ def write_text(file: Path, studies: Sequence[Study]) -> None:
             "",
         ]
         for outcome in study.outcomes:
-            lines += [f"{outcome.method.title}: {outcome.report.status.text}", verdict(study, outcome), ""]
+            lines += [f"{outcome.method.title}: {outcome.report.reason}", verdict(study, outcome), ""]
             lines += [f"  {what:38}{before:>16}  ->  {after}" for what, before, after in comparison(outcome)]
             lines += [f"  {what:38}{value}" for what, value in cost(study, outcome)]
             lines += [f"  {'result':38}{outcome.file.name}"]

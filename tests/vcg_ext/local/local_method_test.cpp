@@ -55,7 +55,7 @@ TEST(LocalMethod, RepairsADentInASheet) {
 	options.angleTolerance = 0.01;
 	const LocalMethodReport report = localMethod(assembly, positions, options);
 	EXPECT_EQ(report.status, Status::Converged);
-	EXPECT_EQ(describe(report), "converged");
+	EXPECT_EQ(report.reason, Reason::AsStatus);
 	EXPECT_LE(measured(assembly, positions).maxAngleDefect, 0.01);
 	EXPECT_GT(measured(assembly, assembly.originalPositions).maxAngleDefect, 0.01);
 }
@@ -107,7 +107,7 @@ TEST(LocalMethod, EndsAtOnceWhenNothingMayMoveFar) {
 	options.maxDisplacement = 0;
 	const LocalMethodReport report = localMethod(assembly, positions, options);
 	EXPECT_EQ(report.status, Status::Stalled);
-	EXPECT_EQ(describe(report), "stalled: within the tolerance nothing can move any more");
+	EXPECT_EQ(report.reason, Reason::NothingMoves);
 	const auto undevelopable =
 		(angleDefects(assembly, positions).array().abs() > options.angleTolerance).count();
 	EXPECT_GT(undevelopable, 20);
@@ -123,7 +123,7 @@ TEST(LocalMethod, SaysWhenItHasFoundNothingBetterForLong) {
 	Positions positions = assembly.originalPositions;
 	const LocalMethodReport report = localMethod(assembly, positions, options);
 	EXPECT_EQ(report.status, Status::Stalled);
-	EXPECT_EQ(describe(report), "stalled: the last 20 operations a movable vertex have not lowered G");
+	EXPECT_EQ(report.reason, Reason::NotLowered);
 	EXPECT_GT(report.iterations, 20 * 81);
 	EXPECT_LT(report.iterations, options.maxOperations);
 }

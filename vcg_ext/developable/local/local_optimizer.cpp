@@ -32,7 +32,7 @@ LocalMethodReport LocalOptimizer::run(Positions& positions, const Progress& prog
 	returnToLowest();
 	if (allDevelopable()) {
 		report_.status = Status::Converged;
-		report_.reason.clear();
+		report_.reason = Reason::AsStatus;
 	}
 	positions = state_.positions();
 	return report_;
@@ -56,7 +56,7 @@ Status LocalOptimizer::visitAll(const Progress& progress) {
 	const long patience = 20L * movableCount_;
 	while (!worst_.empty() && worst_.topKey() > options_.angleTolerance * options_.angleTolerance) {
 		if (report_.iterations - lowestAt_ > patience) {
-			report_.reason = "stalled: the last 20 operations a movable vertex have not lowered G";
+			report_.reason = Reason::NotLowered;
 			return Status::Stalled;
 		}
 		if (report_.iterations == options_.maxOperations)
@@ -70,7 +70,7 @@ Status LocalOptimizer::visitAll(const Progress& progress) {
 		if (const int soon = worst_.successor(place); soon >= 0)
 			lookAhead_.expect(soon);
 	}
-	report_.reason = "stalled: within the tolerance nothing can move any more";
+	report_.reason = Reason::NothingMoves;
 	return Status::Stalled;
 }
 

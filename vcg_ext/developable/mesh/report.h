@@ -2,6 +2,7 @@
 // report.h: what an optimisation says about its run.
 #pragma once
 
+#include <array>
 #include <string>
 
 namespace developable {
@@ -17,22 +18,68 @@ enum class Status {
 	NothingToDo = 5   ///< developable from the start
 };
 
+struct StatusProperties {
+	Status status;
+	const char* name; ///< in scripts
+	const char* text;
+};
+
+/// Of all statuses, in the order of Status.
+inline constexpr StatusProperties statusProperties[] = {
+	{Status::Converged, "CONVERGED", "converged"},
+	{Status::Stalled, "STALLED", "stalled: further steps would change next to nothing"},
+	{Status::LimitReached, "LIMIT_REACHED", "stopped at the limit of iterations or operations"},
+	{Status::NeedsCut, "NEEDS_CUT", "no developable shape near this one: it needs a cut"},
+	{Status::Stopped, "STOPPED", "stopped by the user: nothing was changed"},
+	{Status::NothingToDo, "NOTHING_TO_DO", "nothing to do: developable from the start"},
+};
+
+/// The status in a few words.
+inline std::string describe(Status status) {
+	return statusProperties[static_cast<int>(status)].text;
+}
+
+/// What there is to say of a status beyond its own words. The numbers are part of the interface.
+enum class Reason {
+	AsStatus = 0,     ///< nothing
+	NotLowered = 1,   ///< the local method stalled: G has not fallen for long
+	NothingMoves = 2, ///< the local method stalled: no vertex can move
+	NeedsCut = 3,     ///< so many patches need a cut, and where
+	Unsolvable = 4    ///< the constrained Newton method stalled at a system without a solution in double
+};
+
+struct ReasonProperties {
+	Reason reason;
+	const char* name; ///< in scripts
+	/// In place of the status's text; {names} stand for numbers with these names in the filters' results.
+	const char* text;
+};
+
+/// Of all reasons, in the order of Reason.
+inline constexpr ReasonProperties reasonProperties[] = {
+	{Reason::AsStatus, "AS_STATUS", ""},
+	{Reason::NotLowered, "NOT_LOWERED",
+	 "stalled: the last 20 operations a movable vertex have not lowered G"},
+	{Reason::NothingMoves, "NOTHING_MOVES", "stalled: within the tolerance nothing can move any more"},
+	{Reason::NeedsCut, "NEEDS_CUT",
+	 "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, "
+	 "first of all at ({worst_x}, {worst_y}, {worst_z})"},
+	{Reason::Unsolvable, "UNSOLVABLE",
+	 "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept"},
+};
+
 /// What every optimisation reports. Shapes are compared by the caller, which has both of them.
 struct OptimizationReport {
 	Status status = Status::NothingToDo;
+	Reason reason = Reason::AsStatus;
 	long iterations = 0; ///< outer steps of the global methods, operations attempted of the local method
-	std::string reason;  ///< for the status, in a few words, where there is more to say than it does
+	int patchesNeedingCut = 0;
+	std::array<double, 3> worstPosition = {}; ///< where a cut is needed first of all; 0 where none is
 };
 
 /// True when the run ended in a developable shape, as that method's tolerances have it.
 inline bool converged(Status status) {
 	return status == Status::Converged || status == Status::NothingToDo;
 }
-
-/// The status in a few words.
-std::string describe(Status status);
-
-/// The status in a few words, for the reason that the run gave.
-std::string describe(const OptimizationReport& report);
 
 } // namespace developable

@@ -4,8 +4,6 @@
 
 #include "frozen_panels.h"
 
-#include <cstdio>
-
 namespace developable {
 
 namespace {
@@ -77,14 +75,13 @@ void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects
 }
 
 /// How many patches need a cut, and where.
-std::string describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions,
-							  const CurvatureGoal& goal, const ConstrainedNewtonReport& report) {
+void describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions, const CurvatureGoal& goal,
+					   ConstrainedNewtonReport& report) {
 	const auto unmet = goal.unmetPatches(assembly, angleDefects(assembly, positions));
 	const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
-	char text[160];
-	std::snprintf(text, sizeof text, " in %d of %d patches, first of all at (%.4g, %.4g, %.4g)",
-				  static_cast<int>(unmet.count()), assembly.patchCount(), at[0], at[1], at[2]);
-	return describe(Status::NeedsCut) + text;
+	report.reason = Reason::NeedsCut;
+	report.patchesNeedingCut = static_cast<int>(unmet.count());
+	report.worstPosition = {at[0], at[1], at[2]};
 }
 
 } // namespace
@@ -112,9 +109,9 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 	positions = outcome.positions;
 	describeShape(assembly, angleDefects(assembly, positions), report);
 	if (report.status == Status::NeedsCut)
-		report.reason = describeNeedOfCut(assembly, positions, goal, report);
+		describeNeedOfCut(assembly, positions, goal, report);
 	if (outcome.ending == Ending::Unsolvable)
-		report.reason = "stalled: a linear system of this shape can't be solved in double precision";
+		report.reason = Reason::Unsolvable;
 	return report;
 }
 

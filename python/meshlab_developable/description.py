@@ -1,0 +1,381 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Generated from the built plugin by: .venv/bin/python python/generate_filters.py
+
+"""The filters of the plugin, the statuses and the reasons, as the plugin describes them."""
+
+from __future__ import annotations
+
+import enum
+
+from meshlab_developable.parameters import Boolean, Choice, Filter, Layer, Length, Number, Parameter, Whole
+
+GLOBAL = Filter(
+    "global",
+    "Global Developability",
+    "apply_coord_global_developability",
+    (
+        Parameter(
+            "solver",
+            Choice(("Constrained Newton", "Conjugate gradient")),
+            "Constrained Newton",
+            "",
+            "How the shape is found: by Newton steps all the way to developable, or as in the paper.",
+        ),
+        Parameter(
+            "patches",
+            Choice(("Connected components", "Face colour", "Texture islands", "Face quality")),
+            "Connected components",
+            "",
+            "What separates the patches: nothing but gaps, or also edges between faces of different colour, texture island or quality.",
+        ),
+        Parameter(
+            "weld_distance",
+            Length(),
+            0.0,
+            "length",
+            "Vertices at most this far apart are linked and move as one; 0 links only those with equal coordinates.",
+        ),
+        Parameter(
+            "only_selected",
+            Boolean(),
+            False,
+            "",
+            "Work on the patches that have a selected face; the others hold still.",
+        ),
+        Parameter(
+            "fix_boundary", Boolean(), False, "", "Vertices on the boundary of a patch stay where they are."
+        ),
+        Parameter("fix_selected", Boolean(), False, "", "Selected vertices stay where they are."),
+        Parameter(
+            "angle_tolerance",
+            Number(positive_for_solver="Constrained Newton"),
+            0.0001,
+            "rad",
+            "A vertex whose angle defect is no larger than this counts as a developable point.",
+        ),
+        Parameter(
+            "curvature_tolerance",
+            Number(minimum_excluded=True),
+            0.0001,
+            "rad",
+            "Constrained Newton only: a patch is developable when its absolute angle defects add up to no more than this.",
+        ),
+        Parameter("max_iterations", Whole(), 200, "", "The run ends after so many steps at the latest."),
+        Parameter(
+            "relative_change",
+            Number(),
+            0.0001,
+            "",
+            "Conjugate gradient only: the run ends when a step changes G by less than this share of its first value.",
+        ),
+        Parameter(
+            "smoothness",
+            Number(minimum_excluded=True, maximum=1),
+            3e-06,
+            "",
+            "Constrained Newton only: how much weight bending has against distance; larger values give fewer wrinkles.",
+        ),
+        Parameter(
+            "map",
+            Choice(
+                (
+                    "Gaussian map",
+                    "Angle defect",
+                    "Gaussian curvature",
+                    "Minimum curvature",
+                    "Maximum curvature",
+                    "Distance",
+                    "Displacement",
+                )
+            ),
+            "Gaussian map",
+            "",
+            "What is written to the vertex quality.",
+        ),
+        Parameter(
+            "colorize",
+            Boolean(),
+            True,
+            "",
+            "Colour the vertices by the map, in place of the colours that they have.",
+        ),
+    ),
+)
+
+LOCAL = Filter(
+    "local",
+    "Local Developability",
+    "apply_coord_local_developability",
+    (
+        Parameter(
+            "patches",
+            Choice(("Connected components", "Face colour", "Texture islands", "Face quality")),
+            "Connected components",
+            "",
+            "What separates the patches: nothing but gaps, or also edges between faces of different colour, texture island or quality.",
+        ),
+        Parameter(
+            "weld_distance",
+            Length(),
+            0.0,
+            "length",
+            "Vertices at most this far apart are linked and move as one; 0 links only those with equal coordinates.",
+        ),
+        Parameter(
+            "only_selected",
+            Boolean(),
+            False,
+            "",
+            "Work on the patches that have a selected face; the others hold still.",
+        ),
+        Parameter("fix_selected", Boolean(), False, "", "Selected vertices stay where they are."),
+        Parameter(
+            "angle_tolerance",
+            Number(),
+            0.0001,
+            "rad",
+            "A vertex whose angle defect is no larger than this counts as a developable point.",
+        ),
+        Parameter(
+            "max_displacement",
+            Length(automatic=True),
+            -1.0,
+            "length",
+            "How far a vertex may move along its original normal; -1 means the mean edge length.",
+        ),
+        Parameter(
+            "max_operations",
+            Whole(),
+            500000,
+            "",
+            "The run ends after so many visits to a vertex at the latest.",
+        ),
+        Parameter(
+            "descent",
+            Boolean(),
+            False,
+            "",
+            "Halve each move until the vertex and its neighbours come nearer to developable, and set it aside if none does.",
+        ),
+        Parameter(
+            "smoothing",
+            Number(),
+            0.0,
+            "rad²",
+            "How strongly the moves of neighbours are kept alike, against wrinkles; try 0.01 to 0.1.",
+        ),
+        Parameter(
+            "assembling_vertices",
+            Choice(("Fixed", "Move together")),
+            "Fixed",
+            "",
+            "Whether vertices on seams stay fixed, or move together with all panels that meet there.",
+        ),
+        Parameter(
+            "avoid_self_intersections",
+            Boolean(),
+            False,
+            "",
+            "Shorten or refuse moves that would make the surface cut itself.",
+        ),
+        Parameter(
+            "map",
+            Choice(
+                (
+                    "Gaussian map",
+                    "Angle defect",
+                    "Gaussian curvature",
+                    "Minimum curvature",
+                    "Maximum curvature",
+                    "Distance",
+                    "Displacement",
+                )
+            ),
+            "Gaussian map",
+            "",
+            "What is written to the vertex quality.",
+        ),
+        Parameter(
+            "colorize",
+            Boolean(),
+            True,
+            "",
+            "Colour the vertices by the map, in place of the colours that they have.",
+        ),
+    ),
+)
+
+MAPS = Filter(
+    "maps",
+    "Developability Maps",
+    "compute_scalar_by_developability_per_vertex",
+    (
+        Parameter(
+            "patches",
+            Choice(("Connected components", "Face colour", "Texture islands", "Face quality")),
+            "Connected components",
+            "",
+            "What separates the patches: nothing but gaps, or also edges between faces of different colour, texture island or quality.",
+        ),
+        Parameter(
+            "weld_distance",
+            Length(),
+            0.0,
+            "length",
+            "Vertices at most this far apart are linked and move as one; 0 links only those with equal coordinates.",
+        ),
+        Parameter(
+            "angle_tolerance",
+            Number(),
+            0.0001,
+            "rad",
+            "A vertex whose angle defect is no larger than this counts as a developable point.",
+        ),
+        Parameter(
+            "map",
+            Choice(
+                (
+                    "Gaussian map",
+                    "Angle defect",
+                    "Gaussian curvature",
+                    "Minimum curvature",
+                    "Maximum curvature",
+                    "Distance",
+                    "Displacement",
+                    "Elastic energy",
+                )
+            ),
+            "Gaussian map",
+            "",
+            "What is written to the vertex quality.",
+        ),
+        Parameter(
+            "reference",
+            Layer(),
+            0,
+            "",
+            "The layer that the maps Distance and Displacement are measured from.",
+        ),
+        Parameter(
+            "colorize",
+            Boolean(),
+            True,
+            "",
+            "Colour the vertices by the map, in place of the colours that they have.",
+        ),
+    ),
+)
+
+FLATTEN = Filter(
+    "flatten",
+    "Flatten Patches",
+    "generate_flat_patches",
+    (
+        Parameter(
+            "patches",
+            Choice(("Connected components", "Face colour", "Texture islands", "Face quality")),
+            "Connected components",
+            "",
+            "What separates the patches: nothing but gaps, or also edges between faces of different colour, texture island or quality.",
+        ),
+        Parameter(
+            "weld_distance",
+            Length(),
+            0.0,
+            "length",
+            "Vertices at most this far apart are linked and move as one; 0 links only those with equal coordinates.",
+        ),
+        Parameter(
+            "only_selected",
+            Boolean(),
+            False,
+            "",
+            "Work on the patches that have a selected face; the others hold still.",
+        ),
+        Parameter(
+            "gap",
+            Length(automatic=True),
+            -1.0,
+            "length",
+            "How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box.",
+        ),
+        Parameter(
+            "map",
+            Choice(("Edge strain", "Elastic energy")),
+            "Edge strain",
+            "",
+            "What is written to the vertex quality of the model and of the patterns.",
+        ),
+        Parameter(
+            "write_texture_coordinates",
+            Boolean(),
+            False,
+            "",
+            "Write the patterns to the model too, as texture coordinates of its face corners, scaled to fit the unit square.",
+        ),
+        Parameter(
+            "colorize",
+            Boolean(),
+            True,
+            "",
+            "Colour the vertices by the map, in place of the colours that they have.",
+        ),
+    ),
+)
+
+TRIANGULATE = Filter(
+    "triangulate",
+    "Triangulate Polygons (Constrained Delaunay)",
+    "meshing_polygons_to_constrained_delaunay",
+    (),
+)
+
+FILTERS = (GLOBAL, LOCAL, MAPS, FLATTEN, TRIANGULATE)
+
+
+class Status(enum.IntEnum):
+    """Why an optimisation ended; `text` says it in the words of the filters' log."""
+
+    CONVERGED = 0
+    STALLED = 1
+    LIMIT_REACHED = 2
+    NEEDS_CUT = 3
+    STOPPED = 4
+    NOTHING_TO_DO = 5
+
+    @property
+    def text(self) -> str:
+        """In words."""
+        return _STATUS_TEXTS[self]
+
+
+_STATUS_TEXTS = {
+    Status.CONVERGED: "converged",
+    Status.STALLED: "stalled: further steps would change next to nothing",
+    Status.LIMIT_REACHED: "stopped at the limit of iterations or operations",
+    Status.NEEDS_CUT: "no developable shape near this one: it needs a cut",
+    Status.STOPPED: "stopped by the user: nothing was changed",
+    Status.NOTHING_TO_DO: "nothing to do: developable from the start",
+}
+
+
+class Reason(enum.IntEnum):
+    """What there is to say of a status beyond its own text; {names} stand for results of the filter."""
+
+    AS_STATUS = 0
+    NOT_LOWERED = 1
+    NOTHING_MOVES = 2
+    NEEDS_CUT = 3
+
+    @property
+    def text(self) -> str:
+        """In words."""
+        return _REASON_TEXTS[self]
+
+
+_REASON_TEXTS = {
+    Reason.AS_STATUS: "",
+    Reason.NOT_LOWERED: "stalled: the last 20 operations a movable vertex have not lowered G",
+    Reason.NOTHING_MOVES: "stalled: within the tolerance nothing can move any more",
+    Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
+}

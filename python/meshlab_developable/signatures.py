@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Generated from the built plugin by: .venv/bin/python python/generate_filters.py
+
+"""The functions that take the parameters of filters, each parameter by its name."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy.typing as npt
+
+from meshlab_developable import flattening, methods
+from meshlab_developable.declarations import implemented_by
+from meshlab_developable.flattening import FlatteningResult
+from meshlab_developable.mesh_sets import Source
+from meshlab_developable.methods import Developed, Measured
+
+
+@implemented_by(methods.measure)
+def measure(
+    vertices: Source,
+    faces: npt.ArrayLike | None = None,
+    *,
+    face_labels: npt.ArrayLike | None = None,
+    texture_coordinates: npt.ArrayLike | None = None,
+    reference: Source | tuple[npt.ArrayLike, npt.ArrayLike] | None = None,
+    patches: Literal[
+        "Connected components", "Face colour", "Texture islands", "Face quality"
+    ] = "Connected components",
+    weld_distance: float = 0.0,
+    angle_tolerance: float = 0.0001,
+    map: Literal[
+        "Gaussian map",
+        "Angle defect",
+        "Gaussian curvature",
+        "Minimum curvature",
+        "Maximum curvature",
+        "Distance",
+        "Displacement",
+        "Elastic energy",
+    ] = "Gaussian map",
+    colorize: bool = True,
+) -> Measured:
+    """How developable a mesh is.
+
+    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
+    pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Connected components are the
+    patches, unless there are labels or texture coordinates, or `patches` says otherwise; vertices that
+    coincide are linked.
+
+    face_labels: m of any kind; patches meet where labels differ. texture_coordinates: n x 2, or m x 3 x 2 at
+    the faces' corners; patches are the texture islands. reference: the mesh, as a source or as a pair of
+    vertices and faces, that the maps Distance and Displacement are measured to. Other parameters are those of
+    the filter Developability Maps; lengths are plain numbers in the mesh's unit.
+
+    Raises InvalidMeshError, InvalidParameterError, FilterError and what `load` raises.
+
+    Parameters of the filter:
+        patches: What separates the patches: nothing but gaps, or also edges between faces of different
+            colour, texture island or quality.
+        weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
+            those with equal coordinates.
+        angle_tolerance (rad): A vertex whose angle defect is no larger than this counts as a developable
+            point.
+        map: What is written to the vertex quality.
+        colorize: Colour the vertices by the map, in place of the colours that they have.
+    """
+    raise NotImplementedError
+
+
+@implemented_by(methods.make_developable)
+def make_developable(
+    vertices: Source,
+    faces: npt.ArrayLike | None = None,
+    method: Literal["global", "local"] = "global",
+    *,
+    only_selected: npt.ArrayLike = False,
+    fix_selected: npt.ArrayLike = False,
+    face_labels: npt.ArrayLike | None = None,
+    texture_coordinates: npt.ArrayLike | None = None,
+    solver: Literal["Constrained Newton", "Conjugate gradient"] = "Constrained Newton",
+    patches: Literal[
+        "Connected components", "Face colour", "Texture islands", "Face quality"
+    ] = "Connected components",
+    weld_distance: float = 0.0,
+    fix_boundary: bool = False,
+    angle_tolerance: float = 0.0001,
+    curvature_tolerance: float = 0.0001,
+    max_iterations: int = 200,
+    relative_change: float = 0.0001,
+    smoothness: float = 3e-06,
+    map: Literal[
+        "Gaussian map",
+        "Angle defect",
+        "Gaussian curvature",
+        "Minimum curvature",
+        "Maximum curvature",
+        "Distance",
+        "Displacement",
+    ] = "Gaussian map",
+    colorize: bool = True,
+    max_displacement: float = -1.0,
+    max_operations: int = 500000,
+    descent: bool = False,
+    smoothing: float = 0.0,
+    assembling_vertices: Literal["Fixed", "Move together"] = "Fixed",
+    avoid_self_intersections: bool = False,
+) -> Developed:
+    """Move the vertices so that each patch becomes developable, or nearer to it, and little else changes.
+
+    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
+    pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Connected components are the
+    patches, unless there are labels or texture coordinates, or `patches` says otherwise; vertices that
+    coincide are linked and stay together. The arrays given are not changed.
+
+    method: "global" (Wang and Tang 2004, Section 4, or constrained Newton) or "local" (Section 5).
+    only_selected: m of bool; only the patches with such a face are worked on, the others hold still.
+    fix_selected: n of bool; these vertices stay. (True alone means the selection that a file brings.)
+    face_labels: m of any kind; patches meet where labels differ. texture_coordinates: n x 2, or m x 3 x 2
+    at the faces' corners; patches are the texture islands. Other parameters are those of the filters Global
+    and Local Developability; lengths are plain numbers in the mesh's unit.
+
+    Not converging is no error: see `report.status`. Raises InvalidMeshError, InvalidParameterError,
+    FilterError and what `load` raises.
+
+    Parameters of the filters:
+        solver (only for 'global'): How the shape is found: by Newton steps all the way to developable, or
+            as in the paper.
+        patches: What separates the patches: nothing but gaps, or also edges between faces of different
+            colour, texture island or quality.
+        weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
+            those with equal coordinates.
+        fix_boundary (only for 'global'): Vertices on the boundary of a patch stay where they are.
+        angle_tolerance (rad): A vertex whose angle defect is no larger than this counts as a developable
+            point.
+        curvature_tolerance (rad; > 0; only for 'global'): Constrained Newton only: a patch is developable
+            when its absolute angle defects add up to no more than this.
+        max_iterations (only for 'global'): The run ends after so many steps at the latest.
+        relative_change (only for 'global'): Conjugate gradient only: the run ends when a step changes G by
+            less than this share of its first value.
+        smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
+            against distance; larger values give fewer wrinkles.
+        map: What is written to the vertex quality.
+        colorize: Colour the vertices by the map, in place of the colours that they have.
+        max_displacement (length; only for 'local'): How far a vertex may move along its original normal; -1
+            means the mean edge length.
+        max_operations (only for 'local'): The run ends after so many visits to a vertex at the latest.
+        descent (only for 'local'): Halve each move until the vertex and its neighbours come nearer to
+            developable, and set it aside if none does.
+        smoothing (rad²; only for 'local'): How strongly the moves of neighbours are kept alike, against
+            wrinkles; try 0.01 to 0.1.
+        assembling_vertices (only for 'local'): Whether vertices on seams stay fixed, or move together with
+            all panels that meet there.
+        avoid_self_intersections (only for 'local'): Shorten or refuse moves that would make the surface cut
+            itself.
+    """
+    raise NotImplementedError
+
+
+@implemented_by(flattening.flatten)
+def flatten(
+    vertices: Source,
+    faces: npt.ArrayLike | None = None,
+    *,
+    only_selected: npt.ArrayLike | None = None,
+    face_labels: npt.ArrayLike | None = None,
+    texture_coordinates: npt.ArrayLike | None = None,
+    patches: Literal[
+        "Connected components", "Face colour", "Texture islands", "Face quality"
+    ] = "Connected components",
+    weld_distance: float = 0.0,
+    gap: float = -1.0,
+    map: Literal["Edge strain", "Elastic energy"] = "Edge strain",
+    write_texture_coordinates: bool = False,
+    colorize: bool = True,
+) -> FlatteningResult:
+    """Lay every patch flat at the mesh's own scale, with edges as long as they are on the mesh, or nearly.
+
+    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
+    pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Connected components are the
+    patches, unless there are labels or texture coordinates, or `patches` says otherwise.
+
+    only_selected: m of bool; only the patches with such a face are laid flat. face_labels: m of any kind;
+    patches meet where labels differ. texture_coordinates: n x 2, or m x 3 x 2 at the faces' corners; patches
+    are the texture islands. Other parameters are those of the filter Flatten Patches; lengths are plain
+    numbers in the mesh's unit.
+
+    Raises InvalidMeshError, InvalidParameterError, FilterError (for closed patches, patches with handles,
+    faces without area) and what `load` raises.
+
+    Parameters of the filter:
+        patches: What separates the patches: nothing but gaps, or also edges between faces of different
+            colour, texture island or quality.
+        weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
+            those with equal coordinates.
+        gap (length): How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box.
+        map: What is written to the vertex quality of the model and of the patterns.
+        write_texture_coordinates: Write the patterns to the model too, as texture coordinates of its face
+            corners, scaled to fit the unit square.
+        colorize: Colour the vertices by the map, in place of the colours that they have.
+    """
+    raise NotImplementedError
