@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/flatten/flatten.h"
 
-#include "support/flat_shapes.h"
+#include "flat_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "developable/flatten/flip_free_newton.h"
 #include "developable/flatten/panel_flattener.h"
 
-#include "support/flat_shapes.h"
+#include "flat_shapes.h"
 
 #include <gtest/gtest.h>
 

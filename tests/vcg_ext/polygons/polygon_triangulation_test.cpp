@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/polygons/polygon_triangulation.h"
 
-#include "support/contours.h"
+#include "contours.h"
 #include "support/shapes.h"
 #include "support/vcg_meshes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/polygons/triangulate_polygon.h"
 
-#include "support/contours.h"
+#include "contours.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

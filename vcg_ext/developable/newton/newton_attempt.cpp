@@ -52,6 +52,8 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 		NewtonRun run(problem, start, maxIterations - best.iterations, progressOfThis);
 		best.ending = nearOrStuck(approach(problem, run, attempt > 0), run);
 		best.iterations += run.iterations();
+		if (best.ending == Ending::OutOfSteps && attempt > 0) // the attempts before had ended by themselves
+			best.ending = Ending::Stuck;
 		if (best.ending == Ending::Stopped)
 			break;
 		const Eigen::VectorXd defects = angleDefects(assembly, run.nearest());
