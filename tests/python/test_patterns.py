@@ -13,7 +13,8 @@ import pytest
 import reference_measures as reference
 import shapely
 from meshlab_developable import FilterError, InvalidParameterError, PatternError, make_developable
-from meshlab_developable.patterns import make_patterns
+from meshlab_developable.patterns import PAPERS, make_patterns
+from meshlab_developable.patterns.pdf import tile_grid
 from shapes import bump, grid, octahedron, two_bumps
 
 PANTS = Path(__file__).parents[2] / "meshes" / "short_pants.obj"
@@ -295,6 +296,14 @@ def test_tiles_are_pages_of_the_paper_that_cover_the_pieces(pants, side_file):
     ]
     apart = np.linalg.norm(marks[0][:, None] - (marks[1] + (width - 15, 0)), axis=2)
     assert (apart.min(axis=1) < 0.01).sum() == 4  # two crosses of two lines
+
+
+def test_rows_of_tiles_beyond_the_26th_have_names_of_their_own():
+    grid = tile_grid((250, 5000), PAPERS["A4"])
+    names = [grid.name(0, row) for row in reversed(range(grid.rows))]
+    assert len(names) > 27
+    assert names[:1] + names[25:28] == ["A1", "Z1", "AA1", "AB1"]
+    assert len(set(names)) == len(names)
 
 
 def test_corners_of_the_allowance_are_those_of_parallels(tmp_path):
