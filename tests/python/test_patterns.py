@@ -322,6 +322,32 @@ def test_a_hole_is_a_cutout_and_has_its_allowance_inside(tmp_path):
     assert areas == pytest.approx([50**2, 100**2])
 
 
+def ring_with_a_slit(inner):
+    """A flat ring of 100 mm width, cut open by a slit that its seam allowance fills."""
+
+    def surface(u, v):
+        radius, turn = inner + 100 * v, 0.999 * 2 * np.pi * u
+        return radius * np.cos(turn), radius * np.sin(turn), 0 * u
+
+    return grid(97, 9, surface)
+
+
+def test_the_opening_of_a_ring_with_a_slit_stays_open(tmp_path):
+    make_patterns(*ring_with_a_slit(60), folder=tmp_path, seam_allowance=10, formats=["dxf", "svg"])
+    (layers,) = readers.read_dxf_blocks(tmp_path / "pattern.dxf").values()
+    (cutout,) = layers["11"]
+    assert shapely.Polygon(shapely.get_coordinates(cutout)).area == pytest.approx(np.pi * 50**2, rel=0.02)
+    assert cut_polygon(layers).area == pytest.approx(np.pi * 170**2, rel=0.01)
+    (drawn,) = readers.read_svg(tmp_path / "pattern.svg")["Piece_1"]["cutout"]
+    assert np.ptp(readers.svg_points(drawn), axis=0) == pytest.approx((100, 100), abs=1)
+
+
+def test_an_opening_too_narrow_to_cut_is_none(tmp_path):
+    make_patterns(*ring_with_a_slit(10.3), folder=tmp_path, seam_allowance=10, formats=["dxf"])
+    (layers,) = readers.read_dxf_blocks(tmp_path / "pattern.dxf").values()
+    assert "11" not in layers
+
+
 def test_without_an_allowance_both_lines_are_one(tmp_path, caplog):
     made = make_patterns(*two_bumps(), folder=tmp_path, unit=300, seam_allowance=0, formats=["dxf"])
     for layers in readers.read_dxf_blocks(tmp_path / "pattern.dxf").values():
