@@ -31,7 +31,8 @@ def map_colours(shares: npt.ArrayLike, signed: bool) -> npt.NDArray[np.uint8]:
     ramp = _ramp(signed)
     low = -1.0 if signed else 0.0
     steps = (np.clip(np.ravel(np.asarray(shares, dtype=float)), low, 1.0) - low) / (1.0 - low)
-    return ramp[np.rint(steps * (len(ramp) - 1)).astype(int)]
+    colours: npt.NDArray[np.uint8] = ramp[np.rint(steps * (len(ramp) - 1)).astype(int)]
+    return colours
 
 
 def colour_map(signed: bool) -> Any:
