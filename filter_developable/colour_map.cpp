@@ -12,7 +12,6 @@ namespace developable::plugin {
 
 namespace {
 
-constexpr double shownShare = 0.98;
 constexpr double degree = 3.14159265358979323846 / 180;
 
 /// A colour of OKLab: lightness and two opponent axes, green to red and blue to yellow.

@@ -3,7 +3,7 @@
 //
 // Both ramps go through OKLab (B. Ottosson, "A perceptual color space for image processing", 2020) at
 // constant speed, so that equal steps in value look equal, and lightness tells values apart without hue. They
-// are light at 0, so that the shape stays visible. python/meshlab_developable/colours.py has the same ramps.
+// are light at 0, so that the shape stays visible. The Python package has them as a table (colour_table.cpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +12,9 @@
 #include <vector>
 
 namespace developable::plugin {
+
+/// Of the values that are more than noise, how many a range shows in full.
+constexpr double shownShare = 0.98;
 
 /// The values that the first and the last colour stand for.
 struct ColourRange {

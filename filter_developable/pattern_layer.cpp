@@ -22,6 +22,25 @@ void writePatterns(Layer& layer, const FlatPatterns& patterns) {
 	layer.positionsChanged();
 }
 
+void writeSeams(Layer& layer, const std::vector<Seam>& seams) {
+	using Numbers = vcg::Point3<host::Scalar>;
+	CMeshO& mesh = layer.mesh();
+	const auto zeros = [&](const char* name) {
+		auto added = vcg::tri::Allocator<CMeshO>::AddPerFaceAttribute<Numbers>(mesh, name);
+		for (std::size_t face = 0; face < mesh.face.size(); ++face)
+			added[face].SetZero();
+		return added;
+	};
+	auto number = zeros("seam"), edge = zeros("seam_edge"), sewnTo = zeros("sewn_to");
+	for (std::size_t seam = 0; seam < seams.size(); ++seam)
+		for (std::size_t i = 0; i < seams[seam].halfEdges[0].size(); ++i) {
+			const int first = seams[seam].halfEdges[0][i], second = seams[seam].halfEdges[1][i];
+			number[std::size_t(first / 3)][first % 3] = static_cast<host::Scalar>(seam + 1);
+			edge[std::size_t(first / 3)][first % 3] = static_cast<host::Scalar>(i);
+			sewnTo[std::size_t(first / 3)][first % 3] = static_cast<host::Scalar>(second);
+		}
+}
+
 void writeTextureCoordinates(Layer& layer, const PatchAssembly& assembly, const FlatPatterns& patterns) {
 	const Eigen::Vector2d origin = patterns.positions.rowwise().minCoeff();
 	const double size = (patterns.positions.colwise() - origin).maxCoeff();

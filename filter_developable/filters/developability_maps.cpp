@@ -20,23 +20,31 @@ struct ComputedMap {
 	Eigen::VectorXd values; ///< per place
 };
 
-/// Of laying the patches flat, per place (Fig. 1).
-Eigen::VectorXd elasticEnergyMap(const PatchAssembly& assembly) {
-	const FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions, FlattenOptions());
+/// Of laying the patches flat, per place (Fig. 1); nothing when the user asked for a stop.
+std::optional<Eigen::VectorXd> elasticEnergyMap(const PatchAssembly& assembly, const Progress& progress) {
+	const FlatPatterns patterns =
+		flattenPatches(assembly, assembly.originalPositions, FlattenOptions(), progress);
+	if (patterns.report.stopped)
+		return std::nullopt;
 	return largestAtPlaces(assembly, patterns, patterns.elasticEnergy);
 }
 
-/// All maps that can be made. Flattening takes longest and refuses some shapes, so it waits until it is
-/// chosen.
+/// All maps that can be made, none when the user asked for a stop. Flattening takes longest and refuses some
+/// shapes, so it waits until it is chosen.
 std::vector<ComputedMap> computeMaps(const PatchAssembly& assembly,
-									 const std::optional<ReferenceShape>& reference, Map chosen) {
+									 const std::optional<ReferenceShape>& reference, Map chosen,
+									 const Progress& progress) {
 	const Positions& positions = assembly.originalPositions;
 	std::vector<ComputedMap> maps;
 	for (const Map map : {Map::GaussianMap, Map::AngleDefect, Map::GaussianCurvature, Map::MinimumCurvature,
 						  Map::MaximumCurvature})
 		maps.push_back({map, mapValues(map, assembly, positions, positions)});
-	if (chosen == Map::ElasticEnergy)
-		maps.push_back({chosen, elasticEnergyMap(assembly)});
+	if (chosen == Map::ElasticEnergy) {
+		const std::optional<Eigen::VectorXd> energies = elasticEnergyMap(assembly, progress);
+		if (!energies)
+			return {};
+		maps.push_back({chosen, *energies});
+	}
 	if (reference)
 		maps.push_back(
 			{Map::Distance, distancesToSurface(positions, reference->vertices, reference->triangles)});
@@ -84,9 +92,13 @@ Results run(FilterCall& call) {
 	const Map chosen = chosenMap(call.values);
 	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
 	const std::optional<ReferenceShape> reference = referenceShape(call, assembly);
-	const std::vector<ComputedMap> maps = computeMaps(assembly, reference, chosen);
-	const ComputedMap& shown = find(maps, chosen, reference.has_value());
+	const std::vector<ComputedMap> maps = computeMaps(assembly, reference, chosen, call.progress);
 	Results results = measures(assembly, call.values.number("angle_tolerance"));
+	if (maps.empty()) {
+		call.log("stopped by the user: nothing was changed");
+		return results;
+	}
+	const ComputedMap& shown = find(maps, chosen, reference.has_value());
 	for (const ComputedMap& computed : maps)
 		writeMap(call, assembly, computed.map, computed.values);
 	showMap(call, assembly, shown.map, shown.values);

@@ -91,6 +91,7 @@ Results run(FilterCall& call) {
 		Layer patternLayer = call.addLayer(" pattern");
 		writePatterns(patternLayer, patterns);
 		writePieces(patternLayer, assembly, patterns);
+		writeSeams(patternLayer, patterns.seams);
 		writeMaps(call, patternLayer, assembly, patterns);
 		logSeams(call, patterns.seams);
 		for (const std::string& note : patterns.report.notes)

@@ -15,7 +15,7 @@ from meshlab_developable.filters import FLATTEN
 from meshlab_developable.mesh_sets import Array, IndexArray, Source
 from meshlab_developable.methods import array_parameters, opened
 from meshlab_developable.reports import PatternReport
-from meshlab_developable.sewing import Seam, boundary_loops, find_seams
+from meshlab_developable.sewing import Seam, boundary_loops, read_seams
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,6 +30,7 @@ class FlatteningResult:
     loops: tuple[IndexArray, ...]  # the boundaries of all pieces, as rings of vertices
     seams: tuple[Seam, ...]
     quality: Array  # p, the chosen map
+    edge_strain: Array  # p, the greatest of the edges at each vertex
     report: PatternReport
 
 
@@ -77,15 +78,15 @@ def flattened_layer(meshes: Any, values: Mapping[str, Any]) -> FlatteningResult:
     places, pieces = (
         pattern.vertex_custom_scalar_attribute_array(name).astype(np.int32) for name in ("place", "piece")
     )
-    loops = boundary_loops(triangles)
     return FlatteningResult(
         vertices=flat,
         faces=triangles,
         pieces=pieces,
         places=places,
         model_vertices=np.array(pattern.vertex_custom_point_attribute_matrix("model_position")),
-        loops=loops,
-        seams=find_seams(flat, loops, places, pieces),
+        loops=boundary_loops(triangles),
+        seams=read_seams(pattern, flat, pieces, places),
         quality=plugin.vertex_quality(pattern),
+        edge_strain=np.array(pattern.vertex_custom_scalar_attribute_array("edge_strain")),
         report=report,
     )

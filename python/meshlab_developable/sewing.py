@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections import defaultdict
-from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -59,83 +59,52 @@ def signed_area(ring: Array) -> float:
     return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2)
 
 
-def find_seams(
-    vertices: Array, loops: Sequence[IndexArray], places: IndexArray, pieces: IndexArray
-) -> tuple[Seam, ...]:
+def read_seams(pattern: Any, flat: Array, pieces: IndexArray, places: IndexArray) -> tuple[Seam, ...]:
     """The seams of flat pieces: between pieces, of a piece with itself, and along cuts.
 
-    vertices: p x 2. loops: as of `boundary_loops`. places: p; equal numbers are sewn together. pieces: p.
-    Where three or more edges meet, each is sewn to the first of them.
+    pattern: the layer that Flatten Patches made, with its attributes of the faces. flat: p x 2, in the plane.
+    pieces, places: p. Where three or more edges meet, each is sewn to the first of them.
     """
-    return _SeamFinder(vertices, loops, places, pieces).find()
+    numbers, positions, sewn_to = (
+        pattern.face_custom_point_attribute_matrix(name).astype(np.int32).ravel()
+        for name in ("seam", "seam_edge", "sewn_to")
+    )
+    first = np.flatnonzero(numbers)  # as 3 x face + side
+    first = first[np.lexsort((positions[first], numbers[first]))]
+    faces = pattern.face_matrix()
+    ends = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)  # of every side
+    starts = np.flatnonzero(np.diff(numbers[first], prepend=0))
+    return tuple(
+        _seam(ends[sides], ends[sewn_to[sides]], flat, pieces, places)
+        for sides in np.split(first, starts[1:])
+        if len(sides)
+    )
 
 
-Edge = tuple[int, int]  # two neighbours along a boundary
-Pair = tuple[Edge, Edge]  # edges whose i-th vertices are at the same place
+def _seam(edges: IndexArray, others: IndexArray, flat: Array, pieces: IndexArray, places: IndexArray) -> Seam:
+    """From the ends (k x 2) of the edges along both sides."""
+    one = _chain(edges)
+    # Each edge of the other side turned so that its ends are at the places of the edge that it is sewn to.
+    turned = places[others[:, 0]] != places[one[:-1]]
+    others = np.where(turned[:, None], others[:, ::-1], others)
+    other = np.append(others[:, 0], others[-1, 1])
+    one_length, other_length = (
+        float(np.linalg.norm(np.diff(flat[side], axis=0), axis=1).sum()) for side in (one, other)
+    )
+    return Seam(
+        pieces=(int(pieces[one[0]]), int(pieces[other[0]])),
+        sides=(one, other),
+        lengths=(one_length, other_length),
+        closed=bool(one[0] == one[-1]) and bool(other[0] == other[-1]),
+    )
 
 
-class _SeamFinder:
-    """Pairs boundary edges whose ends are at the same places, and follows the pairs along the boundaries."""
-
-    def __init__(
-        self, vertices: Array, loops: Sequence[IndexArray], places: IndexArray, pieces: IndexArray
-    ) -> None:
-        self.vertices, self.places, self.pieces = vertices, places.tolist(), pieces
-        self.neighbours: dict[int, tuple[int, int]] = {}
-        meeting: dict[Edge, list[Edge]] = defaultdict(list)  # edges by their ends' places
-        for loop in loops:
-            ring = loop.tolist()
-            for index, vertex in enumerate(ring):
-                after = ring[(index + 1) % len(ring)]
-                self.neighbours[vertex] = ring[index - 1], after
-                edge = (vertex, after) if self.places[vertex] < self.places[after] else (after, vertex)
-                meeting[self.places[edge[0]], self.places[edge[1]]].append(edge)
-        self.unseen = dict.fromkeys((first, other) for first, *others in meeting.values() for other in others)
-
-    def find(self) -> tuple[Seam, ...]:
-        seams = []
-        while self.unseen:
-            pair = next(iter(self.unseen))
-            del self.unseen[pair]
-            (start, end), (other_start, other_end) = pair
-            sides = [start, end], [other_start, other_end]
-            self._extend(sides)
-            for side in sides:
-                side.reverse()
-            self._extend(sides)
-            seams.append(self._seam(sides))
-        return tuple(seams)
-
-    def _extend(self, sides: tuple[list[int], list[int]]) -> None:
-        """Goes on with the seam beyond its end, as far as the same two boundaries are sewn together."""
-        while True:
-            ends = [(side[-1], self._beyond(side[-2], side[-1])) for side in sides]
-            if not self._take((ends[0], ends[1])):
-                return
-            for side, (_, vertex) in zip(sides, ends, strict=True):
-                side.append(vertex)
-
-    def _beyond(self, before: int, vertex: int) -> int:
-        one, other = self.neighbours[vertex]
-        return other if one == before else one
-
-    def _take(self, pair: Pair) -> bool:
-        """Whether two edges are sewn together and in no seam yet; from now on they are in one."""
-        (a, b), (c, d) = pair
-        for known in ((a, b), (c, d)), ((b, a), (d, c)), ((c, d), (a, b)), ((d, c), (b, a)):
-            if known in self.unseen:
-                del self.unseen[known]
-                return True
-        return False
-
-    def _seam(self, sides: tuple[list[int], list[int]]) -> Seam:
-        one, other = (np.array(side, dtype=np.int32) for side in sides)
-        lengths = [
-            float(np.linalg.norm(np.diff(self.vertices[side], axis=0), axis=1).sum()) for side in (one, other)
-        ]
-        return Seam(
-            pieces=(int(self.pieces[one[0]]), int(self.pieces[other[0]])),
-            sides=(one, other),
-            lengths=(lengths[0], lengths[1]),
-            closed=bool(one[0] == one[-1]) and bool(other[0] == other[-1]),
-        )
+def _chain(edges: IndexArray) -> IndexArray:
+    """The vertices along edges (k x 2) in order, each of which may be turned."""
+    start, end = edges[0]
+    if len(edges) > 1 and end not in edges[1]:
+        start, end = end, start
+    chain = [start, end]
+    for edge in edges[1:]:
+        chain.append(edge[1] if edge[0] == chain[-1] else edge[0])
+    return np.array(chain, dtype=np.int32)

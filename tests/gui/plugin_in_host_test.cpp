@@ -91,6 +91,21 @@ private slots:
 		QVERIFY(LayerState(layer) == before);
 	}
 
+	void aStopWhileAMapIsMadeLeavesTheLayerAsItWas() {
+		MeshDocument document;
+		MeshModel& layer = addLayer(document, jitteredGrid(100, 100, bumpedCylinder));
+		const LayerState before(layer);
+		RichParameterList list = plugin_.parameters(mapsFilter, document);
+		list.setValue("map", EnumerationValue(7)); // Elastic energy, for which the patches are laid flat
+		record.stopAtCall = 1;
+		const Outcome outcome = plugin_.apply(mapsFilter, document, list, recordingCallback);
+		QVERIFY2(outcome.succeeded, qUtf8Printable(outcome.error));
+		QVERIFY2(outcome.log.contains("stopped by the user: nothing was changed"),
+				 qUtf8Printable(outcome.log.join('\n')));
+		QCOMPARE(record.calls, 1);
+		QVERIFY(LayerState(layer) == before);
+	}
+
 	void progressIsToldAtMostTwentyTimesASecond() {
 		MeshDocument document;
 		addLayer(document, jitteredGrid(40, 40, bumpedCylinder));

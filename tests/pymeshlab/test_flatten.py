@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flatten Patches: the patterns it adds and what it returns, against lengths measured apart."""
 
+import itertools
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -177,6 +178,26 @@ def test_vertices_say_their_piece_and_what_they_are_sewn_to():
         linked = mesh[0][list(where[place])]
         assert np.linalg.norm(linked - linked[0], axis=1).max() <= 2 * gap
         np.testing.assert_allclose(on_model[vertex], linked.mean(axis=0), atol=1e-12)
+
+
+def test_faces_say_what_their_sides_are_sewn_to():
+    meshes, _ = flattened(two_bumps())
+    pattern = meshes.current_mesh()
+    seam, edge, sewn_to = (
+        pattern.face_custom_point_attribute_matrix(name).astype(int).ravel()
+        for name in ("seam", "seam_edge", "sewn_to")
+    )
+    (sides,) = seam.nonzero()
+    assert set(seam[sides]) == {1}
+    assert sorted(edge[sides]) == list(range(10))
+    sides = sides[np.argsort(edge[sides])]
+    corners = pattern.face_matrix()
+    ends = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
+    places, pieces = attribute_of(meshes, "place"), attribute_of(meshes, "piece")
+    assert (np.sort(places[ends[sides]], axis=1) == np.sort(places[ends[sewn_to[sides]]], axis=1)).all()
+    assert set(pieces[ends[sides]].flat) == {0}
+    assert set(pieces[ends[sewn_to[sides]]].flat) == {1}
+    assert all(np.intersect1d(one, next_).size == 1 for one, next_ in itertools.pairwise(ends[sides]))
 
 
 def test_only_selected_patches_are_laid_flat():

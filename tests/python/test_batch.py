@@ -25,7 +25,9 @@ from click.testing import CliRunner
 from distributed import LocalCluster
 from meshlab_developable import filters
 from meshlab_developable.batch import Settings, State
+from meshlab_developable.batch.children import Children
 from meshlab_developable.batch.inputs import find_inputs
+from meshlab_developable.batch.records import Job
 from meshlab_developable.batch.settings import read_settings
 from meshlab_developable.batch.thumbnails import BACKGROUND, SIZE, draw
 from meshlab_developable.command_line import main
@@ -259,6 +261,20 @@ def test_time_limit_and_again(tmp_path, slow):
     assert not list((out / "meshes").glob("pants*"))
     result = batch(source, "--out", out, "--parameters", slow, "--again", "timed_out", "--workers", 1)
     assert states_of(out)["pants00.ply"] == states_of(out)["pants01.ply"] == "not_converged"
+
+
+def test_a_child_that_does_not_start_says_why(tmp_path, monkeypatch):
+    program = tmp_path / "python"
+    program.write_text("#!/bin/sh\necho 'a library is missing' >&2\nexit 3\n")
+    program.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(program))
+    path = tmp_path / "mesh.ply"
+    job = Job("mesh.ply", path, path, path, path, tmp_path, Settings())
+    children = Children(job.settings)
+    children.setup(None)
+    row = children.work(job)
+    assert (row.input, row.state) == ("mesh.ply", State.CRASHED)
+    assert row.message == "its process could not start: the process ended with code 3: a library is missing"
 
 
 def test_an_existing_scheduler_and_a_list(tmp_path):

@@ -4,6 +4,10 @@ another space than the one they are made in."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import generate_colours
+import meshlab_developable
 import numpy as np
 import pytest
 from meshlab_developable.colours import colour_range, map_colours
@@ -47,6 +51,13 @@ def oklab(colours):
         ]
     )
     return np.cbrt(linear(colours) @ to_cones.T) @ to_lab.T
+
+
+TABLE = Path(meshlab_developable.__file__).with_name("colours.json")
+
+
+def test_the_table_is_what_the_plugin_has():
+    assert TABLE.read_text(encoding="utf-8") == generate_colours.colour_table(), "run generate_colours.py"
 
 
 SIDES = pytest.mark.parametrize(("signed", "side"), [(False, 1), (True, 1), (True, -1)])

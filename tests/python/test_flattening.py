@@ -125,6 +125,37 @@ def test_a_ring_sewn_into_a_hole_is_a_closed_seam():
     assert len(seam.sides[0]) == 17
 
 
+@pytest.mark.parametrize("sheets", [3, 4])
+def test_where_several_edges_meet_each_is_sewn_to_the_first(sheets):
+    """Sheets round one edge, like the pages of a book, whose triangles come in any order."""
+    pages = []
+    for number in range(sheets):
+        angle = 2 * np.pi * number / sheets
+        pages.append(grid(5, 9, lambda u, v, a=angle: (u * np.cos(a), u * np.sin(a), v)))
+    positions = np.vstack([page for page, _ in pages])
+    triangles = np.vstack([page + 5 * 9 * number for number, (_, page) in enumerate(pages)])
+    shuffled = np.random.default_rng(3).permutation(len(triangles))
+    result = flatten(positions, np.roll(triangles[shuffled], 1, axis=1))
+    assert [set(seam.pieces) for seam in result.seams] == [{0, other} for other in range(1, sheets)]
+    for seam in result.seams:
+        assert len(seam.sides[0]) == 9
+        assert seam.lengths == pytest.approx((1, 1))
+        np.testing.assert_array_equal(*(result.places[side] for side in seam.sides))
+
+
+def test_the_order_of_the_faces_changes_no_seam(pants):
+    result, positions, triangles = pants
+    again = flatten(positions, triangles[np.random.default_rng(7).permutation(len(triangles))])
+    assert {sides_on_model(seam, result) for seam in result.seams} == {
+        sides_on_model(seam, again) for seam in again.seams
+    }
+
+
+def sides_on_model(seam, result):
+    """The points along a seam, in order."""
+    return tuple(map(tuple, result.model_vertices[seam.sides[0]].tolist()))
+
+
 def test_what_can_not_be_flat_is_refused_in_words():
     with pytest.raises(FilterError, match="closed and can't be laid flat"):
         flatten(*octahedron())

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -61,7 +62,9 @@ def test_flatten_ends_with_3_when_a_piece_overlaps_itself(tmp_path):
     assert result.exit_code == 3, result.output
     assert json.loads(result.output)["overlapping_pieces"] == 1
     assert (tmp_path / "flat.ply").exists()
-    assert developable("pattern", tmp_path / "ramp.ply", "-o", tmp_path / "out").exit_code == 2
+    result = developable("pattern", tmp_path / "ramp.ply", "-o", tmp_path / "out", "--unit", "cm")
+    assert result.exit_code == 2
+    assert "overlaps itself" in result.output
     assert not (tmp_path / "out").exists()
 
 
@@ -80,16 +83,43 @@ def test_pattern_writes_what_it_names(tmp_path):
 
 
 def test_pattern_warns_of_panels_that_are_not_developable(tmp_path):
-    options = "--unit cm --format dxf --json"
+    options = "--unit cm --format dxf --json --max-strain 20"
     result = developable("pattern", PANTS, "-o", tmp_path / "out", *options.split(" "))
     assert result.exit_code == 0, result.output
     strain, mismatch = json.loads(result.output)["notes"]
+    assert re.match(r"Laid flat, edges change by up to 1\d %, 1\.\d %", strain)
     assert "make the panels developable first" in strain
-    assert mismatch.startswith("The sides of a seam differ by up to")
+    assert re.fullmatch(r"The sides of a seam differ by up to \d+(\.\d)? mm\.", mismatch)
+
+
+def test_pattern_refuses_panels_that_are_strained_too_much_and_says_where(tmp_path):
+    names = [option for name in "abcd" for option in ("--piece-name", name)]
+    result = developable("pattern", PANTS, "-o", tmp_path / "out", "--unit", "cm", *names)
+    assert result.exit_code == 2
+    assert not (tmp_path / "out").exists()
+    flat = flatten(PANTS)
+    worst = flat.edge_strain.argmax()
+    number, strain = flat.pieces[worst] + 1, 100 * flat.report.max_edge_strain
+    place = ", ".join(f"{x:.4g}" for x in flat.model_vertices[worst])
+    assert f"Piece {number} ({'abcd'[number - 1]}) can't be laid flat" in result.output
+    assert f"an edge at ({place}) of the model by {strain:.0f} % of its length" in result.output
+    assert "4 of 4 pieces are above the limit of 5 %" in result.output
+
+
+def test_pattern_asks_for_the_unit_and_says_how_large_the_model_would_be(tmp_path):
+    result = developable("pattern", SHEET, "-o", tmp_path / "out")
+    assert result.exit_code == 2
+    assert not (tmp_path / "out").exists()
+    box = read(SHEET).current_mesh().bounding_box()
+    size = " x ".join(f"{side:.4g}" for side in box.max() - box.min())
+    for unit in ("mm", "cm", "m", "inches"):
+        assert f"{size} {unit}" in result.output
+    assert "--unit" in result.output
 
 
 def test_pattern_says_in_words_what_it_wrote(tmp_path):
-    result = developable("pattern", SHEET, "-o", tmp_path / "out", "--page", "none", "--name", "a sheet")
+    options = ["--unit", "cm", "--page", "none", "--name", "a sheet"]
+    result = developable("pattern", SHEET, "-o", tmp_path / "out", *options)
     assert result.exit_code == 0, result.output
     assert "a sheet.svg" in result.output
     assert sorted(file.suffix for file in (tmp_path / "out").iterdir()) == [".dxf", ".json", ".pdf", ".svg"]
@@ -101,10 +131,11 @@ def test_pattern_says_in_words_what_it_wrote(tmp_path):
         ("--unit parsec", "'parsec' is neither a length"),
         ("--unit 0", "unit is 0"),
         ("--sheet 10", "like 1400x2000"),
-        ("--sheet 12x14", "larger than a sheet of 12 x 14 mm"),
+        ("--unit mm --sheet 12x14", "larger than a sheet of 12 x 14 mm"),
         ("--grain w", "neither x, y or z"),
-        ("--seam-allowance -3", "seam_allowance is -3"),
-        ("--weld-distance -3", "finite length"),
+        ("--unit cm --seam-allowance -3", "seam_allowance is -3"),
+        ("--unit cm --max-strain -1", "max_strain is -1"),
+        ("--unit cm --weld-distance -3", "finite length"),
     ],
 )
 def test_bad_options_end_with_2_and_leave_nothing(tmp_path, options, words):
@@ -119,7 +150,8 @@ def test_a_closed_surface_ends_with_2(tmp_path, command):
     meshes = pymeshlab.MeshSet()
     meshes.add_mesh(pymeshlab.Mesh(*octahedron()))
     meshes.save_current_mesh(str(tmp_path / "closed.ply"))
-    result = developable(command, tmp_path / "closed.ply", "-o", tmp_path / "out.ply", "--json")
+    unit = ["--unit", "cm"] if command == "pattern" else []
+    result = developable(command, tmp_path / "closed.ply", "-o", tmp_path / "out.ply", "--json", *unit)
     assert result.exit_code == 2
     assert "closed" in result.output
     assert not (tmp_path / "out.ply").exists()

@@ -13,7 +13,8 @@ import pytest
 import reference_measures as reference
 import shapely
 from meshlab_developable import FilterError, InvalidParameterError, PatternError, make_developable
-from meshlab_developable.patterns import make_patterns
+from meshlab_developable.patterns import PAPERS, make_patterns
+from meshlab_developable.patterns.pdf import tile_grid
 from shapes import bump, grid, octahedron, two_bumps
 
 PANTS = Path(__file__).parents[2] / "meshes" / "short_pants.obj"
@@ -297,6 +298,14 @@ def test_tiles_are_pages_of_the_paper_that_cover_the_pieces(pants, side_file):
     assert (apart.min(axis=1) < 0.01).sum() == 4  # two crosses of two lines
 
 
+def test_rows_of_tiles_beyond_the_26th_have_names_of_their_own():
+    grid = tile_grid((250, 5000), PAPERS["A4"])
+    names = [grid.name(0, row) for row in reversed(range(grid.rows))]
+    assert len(names) > 27
+    assert names[:1] + names[25:28] == ["A1", "Z1", "AA1", "AB1"]
+    assert len(set(names)) == len(names)
+
+
 def test_corners_of_the_allowance_are_those_of_parallels(tmp_path):
     make_patterns(*plate(), folder=tmp_path, seam_allowance=10, formats=["dxf"])
     (layers,) = readers.read_dxf_blocks(tmp_path / "pattern.dxf").values()
@@ -311,6 +320,32 @@ def test_a_hole_is_a_cutout_and_has_its_allowance_inside(tmp_path):
     assert shapely.Polygon(shapely.get_coordinates(cutout)).area == pytest.approx(30**2)
     areas = sorted(shapely.Polygon(shapely.get_coordinates(line)).area for line in layers["14"])
     assert areas == pytest.approx([50**2, 100**2])
+
+
+def ring_with_a_slit(inner):
+    """A flat ring of 100 mm width, cut open by a slit that its seam allowance fills."""
+
+    def surface(u, v):
+        radius, turn = inner + 100 * v, 0.999 * 2 * np.pi * u
+        return radius * np.cos(turn), radius * np.sin(turn), 0 * u
+
+    return grid(97, 9, surface)
+
+
+def test_the_opening_of_a_ring_with_a_slit_stays_open(tmp_path):
+    make_patterns(*ring_with_a_slit(60), folder=tmp_path, seam_allowance=10, formats=["dxf", "svg"])
+    (layers,) = readers.read_dxf_blocks(tmp_path / "pattern.dxf").values()
+    (cutout,) = layers["11"]
+    assert shapely.Polygon(shapely.get_coordinates(cutout)).area == pytest.approx(np.pi * 50**2, rel=0.02)
+    assert cut_polygon(layers).area == pytest.approx(np.pi * 170**2, rel=0.01)
+    (drawn,) = readers.read_svg(tmp_path / "pattern.svg")["Piece_1"]["cutout"]
+    assert np.ptp(readers.svg_points(drawn), axis=0) == pytest.approx((100, 100), abs=1)
+
+
+def test_an_opening_too_narrow_to_cut_is_none(tmp_path):
+    make_patterns(*ring_with_a_slit(10.3), folder=tmp_path, seam_allowance=10, formats=["dxf"])
+    (layers,) = readers.read_dxf_blocks(tmp_path / "pattern.dxf").values()
+    assert "11" not in layers
 
 
 def test_without_an_allowance_both_lines_are_one(tmp_path, caplog):

@@ -28,9 +28,13 @@ class TimeLimitError(Exception):
     """A child did not answer in time."""
 
 
+class StartError(Exception):
+    """A child was never ready; the text says why."""
+
+
 class Child:
-    """One process, ready when made. Raises EOFError when it dies and TimeLimitError when it does not answer;
-    it is of no use afterwards."""
+    """One process, ready when made, or StartError says why it is not. Raises EOFError when it dies and
+    TimeLimitError when it does not answer; it is of no use afterwards."""
 
     def __init__(self, settings: Settings) -> None:
         self._said = tempfile.TemporaryFile()  # noqa: SIM115 - closed at the end
@@ -51,7 +55,7 @@ class Child:
         self._selector = selectors.DefaultSelector()
         self._selector.register(self._answers, selectors.EVENT_READ)
         self.finished = 0
-        self._answer(START_LIMIT)
+        self._wait_until_ready()
 
     @property
     def _answers(self) -> Any:
@@ -98,6 +102,15 @@ class Child:
         self._said.close()
         return _end_in_words(self._process.returncode, said)
 
+    def _wait_until_ready(self) -> None:
+        try:
+            self._answer(START_LIMIT)
+        except TimeLimitError:
+            self.end()
+            raise StartError(f"its process was not ready within {START_LIMIT:g} s") from None
+        except EOFError:
+            raise StartError(f"its process could not start: {self.end()}") from None
+
     def _answer(self, limit: float) -> dict[str, Any]:
         """The next line of the child's, which is never longer than a pipe holds."""
         end = time.monotonic() + limit
@@ -135,7 +148,10 @@ class Children(WorkerPlugin):
 
     def work(self, job: Job) -> Row:
         """How a mesh ends; whatever it does to the child that works on it."""
-        child = self._ready_child()
+        try:
+            child = self._ready_child()
+        except StartError as error:
+            return Row(job.name, State.CRASHED, str(error))
         try:
             answer = child.work(job)
         except TimeLimitError:

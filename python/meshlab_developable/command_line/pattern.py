@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from meshlab_developable import mesh_sets
 from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import FLATTEN
@@ -22,8 +23,8 @@ def _numbers(text: str, separator: str, count: int) -> tuple[float, ...] | None:
     return values if len(values) == count else None
 
 
-def _unit(_context: click.Context, _option: click.Parameter, text: str) -> str | float:
-    if text in UNITS:
+def _unit(_context: click.Context, _option: click.Parameter, text: str | None) -> str | float | None:
+    if text is None or text in UNITS:
         return text
     value = _numbers(text, "x", 1)
     if value is None:
@@ -52,16 +53,25 @@ def _grain(
     return found[0], found[1], found[2]
 
 
+def _question_of_unit(mesh: Path) -> str:
+    """What to say where the unit is missing: how large the model would be in each of the common ones."""
+    box = mesh_sets.open_mesh(mesh).current_mesh().bounding_box()
+    size = " x ".join(f"{side:.4g}" for side in box.max() - box.min())
+    sizes = ", ".join(f"{size} {name}" for name in ("mm", "cm", "m", "inches"))
+    return (
+        f"a mesh does not say what its unit is, so that {mesh.name} may be {sizes}: say which with --unit, "
+        f"one of {', '.join(UNITS)}, or how many mm"
+    )
+
+
 @click.command(name="pattern")
 @click.argument("mesh", type=shared.MESH)
 @shared.output_option("The folder for the files.", folder=True)
 @click.option("--name", help="What the files are called.  [default: as the mesh's file]")
 @click.option(
     "--unit",
-    default="mm",
-    show_default=True,
     callback=_unit,
-    help=f"What a unit of the mesh is: {', '.join(UNITS)}, or how many mm.",
+    help=f"What a unit of the mesh is: {', '.join(UNITS)}, or how many mm.  [required]",
 )
 @click.option("--seam-allowance", type=float, help="Width outside the sew line, mm.  [default: 10]")
 @click.option("--notch-spacing", type=float, help="Distance of notches, mm; 0: none.  [default: 100]")
@@ -92,6 +102,11 @@ def _grain(
 @click.option(
     "--piece-name", "piece_names", multiple=True, help="Of the pieces in their order; repeat for each."
 )
+@click.option(
+    "--max-strain",
+    type=float,
+    help="Pieces with an edge whose length changes by more, in per cent, are refused.  [default: 5]",
+)
 @shared.filter_options(FLATTEN, without=["gap", "map", "write_texture_coordinates", "colorize"])
 @shared.json_option
 def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options: Any) -> None:
@@ -100,7 +115,7 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
     SVG, PDF (whole sheets, and tiles for an office printer), DXF for garment CAD (ASTM D6673, AAMA), and JSON
     that says which edge is sewn to which. Pieces have a seam allowance, notches and letters that match along
     seams, a name and a grain line. Make the panels developable first (`developable global`): what can't be
-    laid flat is stretched here and there. Nothing is written when something is wrong.
+    laid flat is stretched here and there, and refused beyond 5 %. Nothing is written when something is wrong.
 
     \b
     Examples:
@@ -116,6 +131,8 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
             parameters["page"] = None
         if not output.parent.exists():
             raise InvalidParameterError(f"there is no folder {output.parent} to make {output.name} in")
+        if "unit" not in parameters:
+            raise InvalidParameterError(_question_of_unit(mesh))
         made = make_patterns(mesh, folder=output, name=name or mesh.stem, **parameters)
     values = {
         "pieces": len(made.piece_names),

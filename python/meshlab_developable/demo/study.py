@@ -252,7 +252,7 @@ def _flatten(meshes: Any, file: Path) -> tuple[Pattern, FlatteningResult]:
 
 
 def _write_to_cut(flat: FlatteningResult, source: Input, file: Path) -> Sequence[Path]:
-    """The pieces as files to print and cut, unless one of them overlaps itself."""
+    """The pieces as files to print and cut, unless one of them can't be cut so."""
     unit = source.unit if source.unit in UNITS else "mm"
     try:
         return write_patterns(flat, file.parent, file.stem, PatternOptions(unit=unit)).files

@@ -45,6 +45,7 @@ class PatternOptions:
     formats: Sequence[str] = FORMATS
     piece_names: Sequence[str] | None = None
     internal_lines: Sequence[npt.ArrayLike] = ()  # k x 3 each: vertices of the model, along its edges
+    max_strain: float = 5.0  # per cent, that an edge's length may change by; infinite: any
 
     def __post_init__(self) -> None:
         _require(self.millimetres > 0, "unit", self.unit, f"one of {_names(UNITS)}, or millimetres above 0")
@@ -69,6 +70,14 @@ class PatternOptions:
         _require(self.page is None or self.page in PAPERS, "page", self.page, f"one of {_names(PAPERS)}")
         unknown = [format_ for format_ in self.formats if format_ not in FORMATS]
         _require(not unknown, "formats", list(self.formats), f"of {_names(FORMATS)}")
+
+        strain = self.max_strain
+        _require(
+            strain == math.inf or (_finite(strain) and strain >= 0),
+            "max_strain",
+            strain,
+            "a number of per cent, 0 or more",
+        )
 
     @property
     def millimetres(self) -> float:

@@ -68,7 +68,7 @@ def _fill_sheet(padded: Mapping[str, shapely.Polygon], angles: Angles, size: Siz
     left = dict(padded)
     for _ in range(TRIALS):
         chosen = _about_a_sheet(left, size)
-        motions = _strip(chosen, angles, size[1])[1]
+        motions = _strip(chosen, angles, size[1])
         here = {
             name: motion
             for name, motion in motions.items()
@@ -105,10 +105,9 @@ def _padded(shape: shapely.Polygon, gap: float) -> shapely.Polygon:
 
 
 def _only_sheet(padded: Mapping[str, shapely.Polygon], angles: Angles, turns: str) -> Sheet:
-    boxes = np.array([shape.bounds for shape in padded.values()])
-    area = sum(shape.area for shape in padded.values())
+    area = _area(padded, padded)
     height = max(1.01 * _tallest(padded.values(), turns), math.sqrt(1.2 * area))
-    _, motions = _strip(padded, angles, height)
+    motions = _strip(padded, angles, height)
     boxes = np.array([shapely.transform(padded[name], motion).bounds for name, motion in motions.items()])
     (left, low), (right, high) = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
     shifted = {
@@ -160,14 +159,12 @@ def _alone(shape: shapely.Polygon, size: Size, turns: str) -> Motion:
     return Motion(angle, (-left, -low))
 
 
-def _strip(
-    padded: Mapping[str, shapely.Polygon], angles: Angles, height: float
-) -> tuple[float, dict[str, Motion]]:
-    """How long a strip of that height must be, and where the shapes go."""
+def _strip(padded: Mapping[str, shapely.Polygon], angles: Angles, height: float) -> dict[str, Motion]:
+    """Where the shapes go on a strip of that height that is as short as can be."""
     name, shape = next(iter(padded.items()))
     if len(padded) == 1 and angles[name] is not None:
-        left, low, right, _ = shape.bounds
-        return right - left, {name: Motion(0.0, (-left, -low))}
+        left, low, _, _ = shape.bounds
+        return {name: Motion(0.0, (-left, -low))}
     items = [
         spyrrow.Item(name, shape.exterior.coords[:-1], 1, angles[name]) for name, shape in padded.items()
     ]
@@ -176,4 +173,4 @@ def _strip(
     )
     found = spyrrow.StripPackingInstance("pattern", height + _ROOM, items).solve(settings)
     placed = {item.id: Motion(item.rotation % 360, item.translation) for item in found.placed_items}
-    return found.width, {name: placed[name] for name in padded}
+    return {name: placed[name] for name in padded}

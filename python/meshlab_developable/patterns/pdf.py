@@ -14,6 +14,7 @@ from reportlab.pdfgen.canvas import Canvas
 from meshlab_developable.errors import PatternError
 from meshlab_developable.mesh_sets import Array
 from meshlab_developable.patterns.drawing import Drawing, Layer, Motion, print_check
+from meshlab_developable.patterns.marks import letters
 from meshlab_developable.patterns.options import PAPERS, Size
 from meshlab_developable.patterns.style import CAPITALS, STROKES, TEXT_COLOUR
 
@@ -103,8 +104,8 @@ class Grid:
         return found
 
     def name(self, column: int, row: int) -> str:
-        """A letter for the row, from the top, and a number for the column."""
-        return f"{chr(ord('A') + (self.rows - 1 - row) % 26)}{column + 1}"
+        """Letters for the row, from the top, and a number for the column."""
+        return f"{letters(self.rows - 1 - row)}{column + 1}"
 
 
 def tile_grid(size: Size, paper: Size) -> Grid:

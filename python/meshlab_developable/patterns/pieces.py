@@ -16,6 +16,7 @@ from meshlab_developable.patterns.options import PatternOptions
 from meshlab_developable.sewing import signed_area
 
 MITRE_LIMIT = 3.0  # of the allowance: sharper corners are cut off at that distance
+NARROWEST_OPENING = 1.0  # mm, between allowances, that is cut
 
 
 @dataclasses.dataclass(frozen=True)
@@ -93,11 +94,13 @@ def _widened(sewn: shapely.Polygon, width: float, name: str, notes: list[str]) -
     if width == 0:
         return sewn
     wide = sewn.buffer(width, join_style="mitre", mitre_limit=MITRE_LIMIT)
+    openings = [shapely.Polygon(ring) for ring in wide.interiors]
+    # Where allowances meet again, as at the mouth of a notch, they may leave an opening that is no hole of
+    # the piece, and slivers that no knife could follow.
+    kept = [opening for opening in openings if not opening.buffer(-NARROWEST_OPENING / 2).is_empty]
+    cut = shapely.Polygon(wide.exterior, [opening.exterior for opening in kept])
     holes = [shapely.Polygon(ring) for ring in sewn.interiors]
-    # Between the legs of a dart the allowances meet round a gap, which is no hole of the piece.
-    kept = [ring for ring in wide.interiors if any(hole.contains(shapely.Polygon(ring)) for hole in holes)]
-    cut = shapely.Polygon(wide.exterior, kept)
-    if len(kept) < len(holes):
+    if not all(any(hole.intersects(opening) for opening in kept) for hole in holes):
         notes.append(f"{name} has a hole that its seam allowance fills: only its sew line is drawn.")
     return cut
 

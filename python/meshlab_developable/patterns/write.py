@@ -25,9 +25,9 @@ from meshlab_developable.patterns.packing import Sheet, pack
 from meshlab_developable.patterns.pdf import SheetDrawing, write_pdf, write_tiled_pdf
 from meshlab_developable.patterns.pieces import Pieces, make_pieces
 from meshlab_developable.patterns.side_file import write_side_file
+from meshlab_developable.patterns.strain import require_little_strain, strain_notes
 from meshlab_developable.patterns.svg import write_svg
 
-NOTABLE_STRAIN, NOTABLE_MISMATCH = 0.01, 0.5  # of a length; mm
 OPTIONS = tuple(field.name for field in dataclasses.fields(PatternOptions))
 
 
@@ -56,8 +56,10 @@ def make_patterns(
     Vertices, faces and parameters are those of `flatten` and of `PatternOptions`: `unit` (of the mesh: "mm",
     "cm", "dm", "m", "in", "ft", or how many millimetres it is), `seam_allowance`, `notch_spacing` and `gap`
     (mm), `grain` (a direction on the model that runs upright), `sheet` (mm x mm, or a paper's name), `turns`
-    ("none", "half", "free"), `page` (of the PDF in tiles), `formats`, `piece_names` and `internal_lines` (to
-    be drawn, each k x 3, vertices of the mesh along its edges).
+    ("none", "half", "free"), `page` (of the PDF in tiles), `formats`, `piece_names`, `internal_lines` (to
+    be drawn, each k x 3, vertices of the mesh along its edges) and `max_strain` (per cent; a piece with an
+    edge whose length changes by more is refused). A mesh does not say its unit; without one it is taken for
+    millimetres.
 
     Writes name.svg (one file a sheet), name.pdf (one page a sheet), name-A4.pdf (tiles for an office
     printer), name.dxf (ASTM D6673) and name.json (what is sewn to what). All of them or, when
@@ -77,6 +79,7 @@ def write_patterns(
     if not name or name != Path(name).name:
         raise InvalidParameterError(f"name is {name!r}, but must be that of a file, without folders")
     pieces = make_pieces(flat, options)
+    require_little_strain(flat, [piece.name for piece in pieces.pieces], options.max_strain)
     seams = mark_seams(flat, pieces, options.notch_spacing)
     lines = trace_lines(flat, options.internal_lines)
     drawings = [
@@ -90,22 +93,9 @@ def write_patterns(
         piece_names=tuple(piece.name for piece in pieces.pieces),
         sheets=tuple(sheet.size for sheet in sheets),
         seams=seams,
-        notes=(*pieces.notes, *_strain_notes(flat, options), *_name_notes(pieces, options)),
+        notes=(*pieces.notes, *strain_notes(flat, options.millimetres), *_name_notes(pieces, options)),
         flattening=flat,
     )
-
-
-def _strain_notes(flat: FlatteningResult, options: PatternOptions) -> list[str]:
-    report, notes = flat.report, []
-    if report.max_edge_strain > NOTABLE_STRAIN:
-        notes.append(
-            f"Laid flat, edges change by up to {100 * report.max_edge_strain:.2g} %, "
-            f"{100 * report.mean_edge_strain:.2g} % on average: make the panels developable first."
-        )
-    mismatch = report.max_seam_mismatch * options.millimetres
-    if mismatch > NOTABLE_MISMATCH:
-        notes.append(f"The sides of a seam differ by up to {mismatch:.2g} mm.")
-    return notes
 
 
 def _name_notes(pieces: Pieces, options: PatternOptions) -> list[str]:

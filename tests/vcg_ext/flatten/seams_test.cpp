@@ -32,6 +32,25 @@ TEST(Seams, SeamsOfTwoPanelsHaveBothLengthsAndTheirMismatch) {
 	}
 }
 
+TEST(Seams, OfThreePanelsAtAnEdgeTwoAreSewnToTheFirstWhateverTheOrderOfTriangles) {
+	const auto page = [](double angle) {
+		return grid(4, 9, [angle](double u, double v) -> Eigen::Vector3d {
+			return {u * std::cos(angle), u * std::sin(angle), v};
+		});
+	};
+	TriangleMesh mesh = together(together(page(0), page(2)), page(4));
+	const int third = mesh.triangleCount() / 3;
+	const Eigen::Matrix3Xi triangles = mesh.triangles;
+	for (int t = 0; t < mesh.triangleCount(); ++t) // the panels take turns, one of them from its end
+		mesh.triangles.col(t) = triangles.col(t % 3 * third + (t % 3 != 1 ? t / 3 : third - 1 - t / 3));
+	const FlatPatterns patterns = flattened(mesh);
+	ASSERT_EQ(patterns.seams.size(), 2u);
+	for (const int seam : {0, 1}) {
+		EXPECT_EQ(patterns.seams[seam].halfEdges[0].size(), 8u);
+		EXPECT_EQ(std::min(patterns.seams[seam].piece[0], patterns.seams[seam].piece[1]), 0);
+		EXPECT_EQ(std::max(patterns.seams[seam].piece[0], patterns.seams[seam].piece[1]), seam + 1);
+	}
+}
 TEST(Seams, SeamsBetweenAStrainedAndAFlatPanelDoNotMatch) {
 	// A bumped sheet beside a flat one that shares its edge x = 1.
 	TriangleMesh left = jitteredGrid(15, 15, bump(0.3, 10)), right = left;

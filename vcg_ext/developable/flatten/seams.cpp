@@ -16,14 +16,15 @@ public:
 	SeamFinder(const PatchAssembly& assembly, const FlatPatterns& patterns)
 		: assembly_(assembly), patterns_(patterns), partner_(patterns.joinedHalfEdge.size(), -1),
 		  boundary_(patterns.vertexCount(), {-1, -1}), seen_(patterns.joinedHalfEdge.size(), 0) {
-		std::vector<std::array<int, 3>> sorted; // two places and the half edge between them
-		for (int h = 0; h < static_cast<int>(partner_.size()); ++h) {
-			if (patterns.joinedHalfEdge[h] >= 0)
-				continue;
-			const int start = place(h), end = place(nextCorner(h));
-			sorted.push_back({std::min(start, end), std::max(start, end), h});
-			for (const int vertex : {patterns.vertexAt(h), patterns.vertexAt(nextCorner(h))})
-				boundary_[vertex][boundary_[vertex][0] >= 0] = h;
+		for (int h = 0; h < static_cast<int>(partner_.size()); ++h)
+			if (patterns.joinedHalfEdge[h] < 0)
+				for (const int vertex : {patterns.vertexAt(h), patterns.vertexAt(nextCorner(h))})
+					boundary_[vertex][boundary_[vertex][0] >= 0] = h;
+		walkBoundaries();
+		std::vector<std::array<int, 3>> sorted; // two places and the number in order_ of what joins them
+		for (int number = 0; number < static_cast<int>(order_.size()); ++number) {
+			const int start = place(order_[number]), end = place(nextCorner(order_[number]));
+			sorted.push_back({std::min(start, end), std::max(start, end), number});
 		}
 		std::sort(sorted.begin(), sorted.end());
 		std::size_t first = 0;
@@ -63,21 +64,20 @@ private:
 
 	/// The half edge that goes on with the seam beyond the end of one at a corner, or -1.
 	int beyond(int halfEdge, int corner) const {
-		const auto other = [&](int vertex, int h) {
-			return boundary_[vertex][0] == h ? boundary_[vertex][1] : boundary_[vertex][0];
-		};
-		const int next = other(patterns_.vertexAt(corner), halfEdge);
+		const int next = otherAt(patterns_.vertexAt(corner), halfEdge);
 		if (seen_[next] || partner_[next] < 0)
 			return -1;
 		const int across = partner_[halfEdge];
-		return other(vertexAtPlace(across, place(corner)), across) == partner_[next] ? next : -1;
+		return otherAt(vertexAtPlace(across, place(corner)), across) == partner_[next] ? next : -1;
 	}
 
+	/// The seam that a half edge is in; it runs towards the lesser place there.
 	Seam seamThrough(int first) {
 		std::deque<int> chain = {first};
 		mark(first);
+		const bool turned = place(first) < place(nextCorner(first));
 		for (const bool forward : {true, false})
-			for (int h = first, corner = forward ? nextCorner(first) : first;;) {
+			for (int h = first, corner = forward != turned ? nextCorner(first) : first;;) {
 				const int atPlace = place(corner);
 				h = beyond(h, corner);
 				if (h < 0)
@@ -106,6 +106,7 @@ private:
 	const FlatPatterns& patterns_;
 	std::vector<int> partner_;                 // per half edge the one that it is sewn to, or -1
 	std::vector<std::array<int, 2>> boundary_; // per vertex the half edges of the boundary that end there
+	std::vector<int> order_;                   // the half edges of the boundaries
 	std::vector<char> seen_;
 };
 
