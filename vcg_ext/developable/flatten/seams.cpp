@@ -34,21 +34,50 @@ public:
 				continue;
 			}
 			// Where three or more meet, each is sewn to the first.
-			partner_[sorted[i][2]] = sorted[first][2];
-			if (partner_[sorted[first][2]] < 0)
-				partner_[sorted[first][2]] = sorted[i][2];
+			const int one = order_[sorted[first][2]], other = order_[sorted[i][2]];
+			partner_[other] = one;
+			if (partner_[one] < 0)
+				partner_[one] = other;
 		}
 	}
 
 	std::vector<Seam> find() {
 		std::vector<Seam> seams;
-		for (int h = 0; h < static_cast<int>(partner_.size()); ++h)
+		for (const int h : order_)
 			if (partner_[h] >= 0 && !seen_[h])
 				seams.push_back(seamThrough(h));
 		return seams;
 	}
 
 private:
+	/// Puts the half edges of the boundaries in order, one boundary after the other, each from its first
+	/// vertex towards the lesser of the two beside it. So the order of the triangles does not matter, and
+	/// where three or more half edges meet, the first of them is so on the same boundary all along the seam.
+	void walkBoundaries() {
+		std::vector<char> passed(partner_.size(), 0);
+		for (int first = 0; first < patterns_.vertexCount(); ++first) {
+			int h = boundary_[first][0];
+			if (h >= 0 && otherEnd(first, boundary_[first][1]) < otherEnd(first, h))
+				h = boundary_[first][1];
+			for (int vertex = first; h >= 0 && !passed[h]; h = otherAt(vertex, h)) {
+				passed[h] = 1;
+				order_.push_back(h);
+				vertex = otherEnd(vertex, h);
+			}
+		}
+	}
+
+	/// The vertex of a half edge that is not this one.
+	int otherEnd(int vertex, int halfEdge) const {
+		const int start = patterns_.vertexAt(halfEdge);
+		return start == vertex ? patterns_.vertexAt(nextCorner(halfEdge)) : start;
+	}
+
+	/// The other half edge of the boundary at a vertex.
+	int otherAt(int vertex, int halfEdge) const {
+		return boundary_[vertex][boundary_[vertex][0] == halfEdge];
+	}
+
 	int place(int corner) const { return assembly_.placeAt(corner); }
 
 	void mark(int h) {
