@@ -2,6 +2,7 @@
 // newton_checks.h: what every result of the constrained Newton method has to be.
 #pragma once
 
+#include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
 
 #include "support/shapes.h"
@@ -9,6 +10,14 @@
 #include <gtest/gtest.h>
 
 namespace developable::test {
+
+/// Two halves of a bump with a seam along the middle, mirror images of each other.
+inline PatchAssembly sewnPatches(int columns) {
+	const TriangleMesh left = jitteredGrid(columns, columns, saddle);
+	TriangleMesh right = left;
+	right.positions.row(0) = 2 - right.positions.row(0).array();
+	return assembled(together(left, right));
+}
 
 inline double smallestAngle(const PatchAssembly& assembly, const Positions& positions) {
 	double smallest = pi;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_problems.h: problems for the tests of steps, which go without the strategy above them.
+#pragma once
+
+#include "developable/newton/newton_problem.h"
+
+#include "support/newton_checks.h"
+
+namespace developable::test {
+
+/// With the defaults of everything.
+inline detail::NewtonProblem problemOf(const PatchAssembly& assembly) {
+	detail::NewtonProblem problem(assembly, {1e-4, 1e-4}, {}, 0);
+	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), 3e-6));
+	return problem;
+}
+
+} // namespace developable::test

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/newton_attempt.h"
+#include "newton_problems.h"
+
+namespace developable::test {
+namespace {
+
+TEST(NewtonStrategy, ReachesADevelopableShapeNearSmoothOnes) {
+	expectConverges(assembled(jitteredGrid(51, 51, sphereCap(1))), 0.015);
+	expectConverges(assembled(jitteredGrid(51, 51, largeSaddle)), 0.055);
+	expectConverges(assembled(jitteredGrid(51, 51, bumpedCylinder)), 0.006);
+	expectConverges(assembled(jitteredGrid(51, 51, wave)), 0.011);
+	expectConverges(assembled(jitteredGrid(51, 51, vamp)), 0.015);
+	expectConverges(assembled(jitteredGrid(51, 51, steepBump)), 0.04);
+}
+
+TEST(NewtonStrategy, ReachesADevelopableShapeThroughNoiseHolesAndSeams) {
+	expectConverges(assembled(noisy(jitteredGrid(51, 51, wave), 0.02)), 0.011);
+	expectConverges(assembled(noisy(jitteredGrid(51, 51, largeSaddle), 0.02)), 0.06);
+	expectConverges(assembled(withTwoHoles(51, bumpedCylinder)), 0.006);
+	expectConverges(sewnPatches(41), 0.02);
+}
+
+TEST(NewtonStrategy, MovesNoFartherThanWithoutLevels) {
+	const PatchAssembly assembly = assembled(jitteredGrid(45, 45, bumpedCylinder));
+	detail::NewtonProblem problem = problemOf(assembly);
+	const detail::NewtonOutcome direct =
+		detail::attemptFrom(problem, assembly.originalPositions, 3e-6, 200, {});
+	ASSERT_EQ(direct.ending, detail::Ending::Reached);
+	expectConverges(assembly, 1.1 * meanDisplacement(assembly, direct.positions));
+}
+
+TEST(NewtonStrategy, DoesWithLittleMemory) {
+	const PatchAssembly assembly = assembled(jitteredGrid(51, 51, bumpedCylinder));
+	ConstrainedNewtonOptions options;
+	options.memoryLimit = 1000;
+	Positions positions = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+	const Positions withMuch = expectConverges(assembly, 0.006);
+	EXPECT_NE(positions, withMuch); // so it did take another way
+	EXPECT_LT((positions - withMuch).cwiseAbs().maxCoeff(), 0.005);
+	expectSound(assembly, positions);
+}
+
+TEST(NewtonStrategy, GivesTheSameBitsOnEveryRunAndLeavesHeldPlaces) {
+	TriangleMesh mesh = jitteredGrid(45, 45, bumpedCylinder);
+	for (int vertex = 0; vertex < 45; ++vertex)
+		mesh.vertexSelected[vertex] = 1;
+	PatchOptions options;
+	options.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, options);
+	const Positions positions = expectConverges(assembly, 0.01);
+	EXPECT_EQ(positions, expectConverges(assembly, 0.01));
+	EXPECT_EQ(positions.leftCols(45), mesh.positions.leftCols(45));
+}
+
+TEST(NewtonStrategy, SaysThatAShapeWithAShortRimNeedsACut) {
+	TriangleMesh mesh = sphere(1, 5);
+	mesh.triangles = mesh.triangles.rightCols(mesh.triangleCount() - 64).eval();
+	const PatchAssembly assembly = assembled(makeMesh(mesh.positions, mesh.triangles));
+	ASSERT_GT(assembly.placeCount(), 3000);
+	expectNeedsCut(assembly);
+}
+
+TEST(NewtonStrategy, StopsOnAnyLevelAndLeavesThePositions) {
+	const PatchAssembly assembly = assembled(jitteredGrid(45, 45, bumpedCylinder));
+	Positions positions = assembly.originalPositions;
+	int all = 0;
+	double last = 0;
+	const auto count = [&](double done, const std::string&) {
+		EXPECT_GE(done, last);
+		last = done;
+		return ++all > 0;
+	};
+	Positions result = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, result, {}, count).status, Status::Converged);
+	for (const int calls : {1, all / 2, all - 1}) {
+		int left = calls;
+		const auto stop = [&](double, const std::string&) { return --left > 0; };
+		EXPECT_EQ(constrainedNewton(assembly, positions, {}, stop).status, Status::Stopped);
+		EXPECT_EQ(positions, assembly.originalPositions);
+	}
+}
+
+} // namespace
+} // namespace developable::test

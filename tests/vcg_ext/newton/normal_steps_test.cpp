@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/normal_steps.h"
+#include "newton_problems.h"
+
+namespace developable::test {
+namespace {
+
+TEST(NormalSystem, IsTheProductThatItStandsFor) {
+	const PatchAssembly assembly = sewnPatches(12);
+	detail::BendingMetric metric(assembly, {}, 0);
+	metric.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), 1e-4));
+	detail::DefectJacobian jacobian(assembly, metric.placeMass());
+	detail::NormalSystem system(metric.matrix());
+	for (const double noise : {0.0, 0.01}) { // the second time with the pattern of the first
+		const Positions positions =
+			assembly.originalPositions + noise * Positions::Random(3, assembly.placeCount());
+		jacobian.linearize(positions);
+		const Positions normals = placeNormals(assembly, positions);
+		const Eigen::MatrixXd along = jacobian.along(normals).toDense();
+		const Eigen::MatrixXd w = SparseMatrix(metric.matrix().selfadjointView<Eigen::Lower>());
+		const Eigen::MatrixXd expected =
+			along.transpose() * along + 0.3 * w.cwiseProduct(normals.transpose() * normals);
+		const Eigen::MatrixXd found = system.fill(jacobian.along(normals), normals, 0.3).toDense();
+		const Eigen::MatrixXd lower = expected.triangularView<Eigen::Lower>();
+		EXPECT_LT((found - lower).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+	}
+}
+
+TEST(NormalSteps, TakeAwayCurvatureOfShortWaves) {
+	const PatchAssembly assembly = assembled(noisy(jitteredGrid(25, 25, quarterCylinder), 0.02));
+	detail::NewtonProblem problem = problemOf(assembly);
+	const Progress silent;
+	detail::NewtonRun run(problem, assembly.originalPositions, 100, silent);
+	EXPECT_EQ(detail::NormalSteps(problem, run, 1).run(), detail::Ending::Reached);
+	EXPECT_LE(run.shape().curvature, 1e-4);
+	EXPECT_LE(angleDefects(assembly, run.shape().positions).cwiseAbs().sum(), 1e-4);
+	EXPECT_LT(meanDisplacement(assembly, run.shape().positions), 0.002);
+	expectSound(assembly, run.shape().positions);
+}
+
+TEST(NormalSteps, EndAtTheirLimitsAndWhenAskedTo) {
+	const PatchAssembly assembly = assembled(jitteredGrid(15, 15, largeSaddle));
+	detail::NewtonProblem problem = problemOf(assembly);
+	const auto endingWith = [&](int steps, const Progress& progress, double farthest) {
+		detail::NewtonRun run(problem, assembly.originalPositions, steps, progress);
+		const detail::Ending ending = detail::NormalSteps(problem, run, farthest).run();
+		EXPECT_LE(run.iterations(), steps);
+		EXPECT_LE(run.shape().farthest, farthest);
+		return ending;
+	};
+	EXPECT_EQ(endingWith(2, {}, 1), detail::Ending::OutOfSteps);
+	EXPECT_EQ(endingWith(100, {}, 1e-6), detail::Ending::Stuck); // it may hardly move
+	EXPECT_EQ(endingWith(
+				  100, [](double, const std::string&) { return false; }, 1),
+			  detail::Ending::Stopped);
+}
+
+} // namespace
+} // namespace developable::test

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/restoration.h"
+#include "newton_problems.h"
+
+namespace developable::test {
+namespace {
+
+TEST(Restoration, ReachesTheGoalFromNearby) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, bumpedCylinder));
+	Positions nearby = expectConverges(assembly, 0.01);
+	nearby += 1e-3 * Positions::Random(3, assembly.placeCount());
+	detail::NewtonProblem problem = problemOf(assembly);
+	const Progress silent;
+	detail::NewtonRun run(problem, nearby, 50, silent);
+	detail::GaussNewton steps(problem, run, true);
+	EXPECT_EQ(detail::Restoration(problem, run, steps, 1e-5 * steps.greatestResponse()).restore(),
+			  detail::Ending::Reached);
+	EXPECT_LE(angleDefects(assembly, run.shape().positions).cwiseAbs().sum(), 1e-4);
+	EXPECT_LT((run.shape().positions - nearby).cwiseAbs().maxCoeff(), 0.02);
+	expectSound(assembly, run.shape().positions);
+}
+
+TEST(Restoration, IsStuckWhereNothingMayMove) {
+	PatchAssembly assembly = assembled(jitteredGrid(9, 9, saddle));
+	assembly.placeFixed.assign(assembly.placeCount(), 1);
+	assembly.placeFixed[40] = 0;
+	detail::NewtonProblem problem = problemOf(assembly);
+	const Progress silent;
+	detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+	detail::GaussNewton steps(problem, run, false);
+	EXPECT_EQ(detail::Restoration(problem, run, steps, 1e-5 * steps.greatestResponse()).restore(),
+			  detail::Ending::Stuck);
+	EXPECT_LT(run.iterations(), 200);
+	EXPECT_LE(run.shape().curvature, run.startCurvature());
+}
+
+} // namespace
+} // namespace developable::test
