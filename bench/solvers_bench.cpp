@@ -73,9 +73,20 @@ void writeOff(const std::string& path, const Positions& positions, const Eigen::
 		file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
 
-std::string runMethod(const std::string& method, const PatchAssembly& assembly, Positions& positions) {
+/// \param changes  of tuning constants, each a name and a factor
+ConstrainedNewtonOptions tuned(const std::vector<std::string>& changes) {
+	ConstrainedNewtonOptions options;
+	for (std::size_t i = 0; i + 1 < changes.size(); i += 2)
+		for (const TuningConstant& constant : tuningConstants())
+			if (constant.name == changes[i])
+				constant.set(options.tuning, std::stod(changes[i + 1]) * constant.value(options.tuning));
+	return options;
+}
+
+std::string runMethod(const std::string& method, const PatchAssembly& assembly, Positions& positions,
+					  const std::vector<std::string>& changes) {
 	if (method == "constrained_newton") {
-		const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+		const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, tuned(changes));
 		return describe(report.status).substr(0, describe(report.status).find(':'));
 	}
 	if (method == "conjugate_gradient")
@@ -160,12 +171,12 @@ int run(const std::vector<std::string>& words) {
 	if (words.size() == 5 && words[0] == "shape") {
 		const TriangleMesh mesh = shape(words[1], std::stoi(words[2]), std::stod(words[3]));
 		writeOff(words[4], mesh.positions, mesh.triangles);
-	} else if (words.size() == 4 && words[0] == "run") {
+	} else if (words.size() >= 4 && words.size() % 2 == 0 && words[0] == "run") {
 		const TriangleMesh mesh = readOff(words[2]);
 		const auto start = std::chrono::steady_clock::now();
 		const PatchAssembly assembly = assemblePatches(mesh, {});
 		Positions positions = assembly.originalPositions;
-		const std::string status = runMethod(words[1], assembly, positions);
+		const std::string status = runMethod(words[1], assembly, positions, {words.begin() + 4, words.end()});
 		const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 		Positions vertices = mesh.positions;
 		for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
@@ -181,8 +192,12 @@ int run(const std::vector<std::string>& words) {
 			if (assembly.placeOfVertex[vertex] >= 0)
 				positions.col(assembly.placeOfVertex[vertex]) = after.positions.col(vertex);
 		printMeasures(assembly, positions);
+	} else if (words.size() == 1 && words[0] == "constants") {
+		for (const TuningConstant& constant : tuningConstants())
+			std::cout << constant.name << ' ' << constant.value({}) << '\n';
 	} else {
-		std::cerr << "usage: shape NAME COLUMNS NOISE OUT | run METHOD IN OUT | measure BEFORE AFTER\n";
+		std::cerr << "usage: shape NAME COLUMNS NOISE OUT | run METHOD IN OUT [CONSTANT FACTOR]... | "
+					 "measure BEFORE AFTER | constants\n";
 		return 2;
 	}
 	return 0;

@@ -366,6 +366,7 @@ class Reason(enum.IntEnum):
     NOT_LOWERED = 1
     NOTHING_MOVES = 2
     NEEDS_CUT = 3
+    UNSOLVABLE = 4
 
     @property
     def text(self) -> str:
@@ -378,4 +379,5 @@ _REASON_TEXTS = {
     Reason.NOT_LOWERED: "stalled: the last 20 operations a movable vertex have not lowered G",
     Reason.NOTHING_MOVES: "stalled: within the tolerance nothing can move any more",
     Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
+    Reason.UNSOLVABLE: "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept",
 }

@@ -53,7 +53,7 @@ def offences(path: Path, text: str) -> list[str]:
     found = []
     for name in INCLUDE.findall(text):
         if not name.startswith("developable/"):
-            if inside and not (path.parent / name).is_file():
+            if inside and ("/" in name or not (path.parent / name).is_file()):
                 found.append(f'"{name}" is no file beside it')
             continue
         folder = name.split("/")[1]

@@ -79,4 +79,5 @@ def test_reasons_have_the_numbers_of_the_interface():
         "NOT_LOWERED": 1,
         "NOTHING_MOVES": 2,
         "NEEDS_CUT": 3,
+        "UNSOLVABLE": 4,
     }

@@ -2,6 +2,8 @@
 // flip_free_newton.cpp: the minimisation, its steps and their directions.
 #include "flip_free_newton.h"
 
+#include "developable/descent/descent.h"
+
 #include <algorithm>
 
 namespace developable::detail {
@@ -52,7 +54,7 @@ double FlipFreeNewton::step() {
 	for (int trial = 0; trial < 40; ++trial, length /= 2) {
 		const PlanePositions moved = positions_ + length * direction;
 		const double energy = springs_.guardedEnergy(moved);
-		if (energy > energy_ + 1e-4 * length * slope)
+		if (!descendsEnough(energy_, slope, length, energy))
 			continue;
 		positions_ = moved;
 		energy_ = energy;

@@ -16,11 +16,11 @@ public:
 	bool solve(const SparseMatrix& matrix, const Eigen::VectorXd& rightHandSide, Eigen::VectorXd& solution);
 
 private:
-	bool conjugateGradients(const SparseMatrix& matrix, const Eigen::VectorXd& rightHandSide,
-							Eigen::VectorXd& solution);
+	Iterated solveWithOldFactor(const SparseMatrix& matrix, const Eigen::VectorXd& rightHandSide,
+								Eigen::VectorXd& solution) const;
 
 	SparseCholesky factor_;
-	bool factorized_ = false, indefinite_ = false;
+	bool factorized_ = false;
 };
 
 } // namespace developable::detail

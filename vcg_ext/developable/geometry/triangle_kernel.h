@@ -137,14 +137,14 @@ struct CotangentKernel {
 	DEVELOPABLE_INLINE void run() const {
 		int t = 0;
 		for (; t + width<Number> <= triangles; t += width<Number>)
-			few<Number>(t);
+			someTriangles<Number>(t);
 		for (; t < triangles; ++t)
-			few<double>(t);
+			someTriangles<double>(t);
 	}
 
 private:
 	template <class Number>
-	DEVELOPABLE_INLINE void few(int first) const {
+	DEVELOPABLE_INLINE void someTriangles(int first) const {
 		const Cotangents<Number> result(readEdges<Number>(positions, places + 3 * first));
 		for (int lane = 0; lane < width<Number>; ++lane)
 			for (int corner = 0; corner < 3; ++corner)

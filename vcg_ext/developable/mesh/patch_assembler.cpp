@@ -49,7 +49,7 @@ void PatchAssembler::numberWhatIsKept() {
 		newTriangle_[t] = triangleCount++;
 		renumber(newPatch_, patches_.number[t], patchCount_);
 		for (int corner = 0; corner < 3; ++corner)
-			renumber(newCopy_, copies_.number[3 * t + corner], copyCount_);
+			renumber(newCopy_, copies_.number[cornerOf(t, corner)], copyCount_);
 	}
 	// Places follow the mesh's own order of vertices.
 	std::vector<char> vertexKept(mesh_.vertexCount(), 0);
@@ -77,7 +77,7 @@ void PatchAssembler::fillTriangles() {
 		result_.faceOfTriangle[t] = mesh_.face[source];
 		++result_.patches[patch].triangles;
 		for (int corner = 0; corner < 3; ++corner) {
-			const int copy = newCopy_[copies_.number[3 * source + corner]];
+			const int copy = newCopy_[copies_.number[cornerOf(source, corner)]];
 			const int place = result_.placeOfVertex[mesh_.triangles(corner, source)];
 			result_.triangleCopies(corner, t) = copy;
 			result_.trianglePlaces(corner, t) = place;

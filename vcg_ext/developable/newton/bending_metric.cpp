@@ -101,7 +101,7 @@ void BendingMetric::stiffen(const std::vector<int>& triangles) {
 		stiffness_[triangle] = before > 0 ? tuning_.stiffnessIncrease * before
 										  : tuning_.firstStiffness * diagonal_(places).maxCoeff();
 		for (int corner = 0; corner < 3; ++corner)
-			tie(places[corner], places[nextCorner(corner)], stiffness_[triangle] - before);
+			addSpring(places[corner], places[nextCorner(corner)], stiffness_[triangle] - before);
 	}
 }
 
@@ -127,7 +127,7 @@ double BendingMetric::squaredNorm(const Positions& displacement) const {
 	return displacement.cwiseProduct(apply(displacement)).sum();
 }
 
-void BendingMetric::tie(int i, int j, double stiffness) {
+void BendingMetric::addSpring(int i, int j, double stiffness) {
 	for (const int place : {i, j})
 		if (!assembly_.placeFixed[place])
 			lower_.coeffRef(place, place) += stiffness;

@@ -81,7 +81,7 @@ public:
 private:
 	/// Adds stiffness · |d_i − d_j|² for two places of a triangle, of which held ones have d = 0. The matrix
 	/// has entries for them where the triangle has a neighbour.
-	void tie(int i, int j, double stiffness);
+	void addSpring(int i, int j, double stiffness);
 
 	const PatchAssembly& assembly_;
 	const NewtonTuning tuning_;
