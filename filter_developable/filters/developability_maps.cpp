@@ -6,10 +6,10 @@
 #include "../shared_parameters.h"
 #include "filters.h"
 
-#include "developable/mesh/mesh.h"
 #include "developable/flatten/flatten.h"
-#include "developable/vcg_mesh/vcg_mesh.h"
 #include "developable/geometry/geometry.h"
+#include "developable/mesh/mesh.h"
+#include "developable/vcg_mesh/vcg_mesh.h"
 
 namespace developable::plugin {
 

@@ -5,8 +5,8 @@
 #include "../shared_parameters.h"
 #include "filters.h"
 
-#include "developable/local/local_method.h"
 #include "developable/geometry/geometry.h"
+#include "developable/local/local_method.h"
 
 #include <type_traits>
 

@@ -23,7 +23,7 @@ tidy_one() {
 # A unit is looked at once, in the first of the builds that compile it.
 check_cpp_tidy() {
 	local build
-	for build in "$build_root"/{tests,pymeshlab-2025.7,meshlab-2020.09}; do
+	for build in "$build_root"/{library,tests,pymeshlab-2025.7,meshlab-2020.09}; do
 		sed -n 's/^ *"file": "\(.*\)".*/\1/p' "$build/compile_commands.json" | grep -v "^$build_root/" | sed "s#^#$build #"
 	done | awk '!seen[$2]++' | xargs -P "$(nproc)" -L 1 bash -c 'tidy_one "$@"' tidy_one
 }
