@@ -20,11 +20,20 @@ tidy_one() {
 		clang-tidy-14 --quiet -p "$1" "$2" 2> >(grep -vE '^[0-9]+ warnings? (generated|treated)' >&2)
 }
 
+# commands_without_precompiled_headers BUILD FOLDER: how a build compiles its units, as clang-tidy can follow it: it can't read
+# GCC's precompiled headers, and every unit names what it includes anyway
+commands_without_precompiled_headers() {
+	mkdir -p "$2"
+	sed -E 's# -Winvalid-pch -include [^ ]*/cmake_pch\.hxx##' "$1/compile_commands.json" >"$2/compile_commands.json"
+}
+
 # A unit is looked at once, in the first of the builds that compile it.
 check_cpp_tidy() {
-	local build
-	for build in "$build_root"/{library,tests,pymeshlab-2025.7,meshlab-2020.09}; do
-		sed -n 's/^ *"file": "\(.*\)".*/\1/p' "$build/compile_commands.json" | grep -v "^$build_root/" | sed "s#^#$build #"
+	local build folder
+	for build in library tests pymeshlab-2025.7 meshlab-2020.09; do
+		folder=$build_root/tidy-commands/$build
+		commands_without_precompiled_headers "$build_root/$build" "$folder"
+		sed -n 's/^ *"file": "\(.*\)".*/\1/p' "$folder/compile_commands.json" | grep -v "^$build_root/" | sed "s#^#$folder #"
 	done | awk '!seen[$2]++' | xargs -P "$(nproc)" -L 1 bash -c 'tidy_one "$@"' tidy_one
 }
 
