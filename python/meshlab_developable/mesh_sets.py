@@ -24,6 +24,7 @@ Array: TypeAlias = npt.NDArray[np.float64]
 IndexArray: TypeAlias = npt.NDArray[np.int32]
 
 _POINT_FORMATS = (".e57", ".xyz")  # without faces, of those that pymeshlab writes
+_ROOM = 1 << 16  # bytes; more than a block of any disk
 
 # A length given as a plain number; pymeshlab 2022.2 has it under the second name.
 _PlainLength = getattr(pymeshlab, "PureValue", None) or pymeshlab.AbsoluteValue
@@ -107,11 +108,12 @@ def save(meshes: Any, path: Path) -> None:
 def missing_elements(meshes: Any, path: Path) -> str:
     """What of the current layer is not in the file that it was written to, in words; empty when nothing is.
 
-    Of formats that pymeshlab writes but does not read only emptiness is seen.
-    Raises InvalidMeshError when the file cannot be read again.
+    Of formats that pymeshlab writes but does not read it is only seen that they are not empty, and that there
+    is still room beside them. Raises InvalidMeshError when the file cannot be read again, and OSError.
     """
     again = _load(path)
     if again is None:
+        path.with_name("room").write_bytes(bytes(_ROOM))
         return "" if path.stat().st_size else "all faces"
     written, found = meshes.current_mesh(), again.current_mesh()
     if path.suffix.lower() in _POINT_FORMATS:
@@ -176,12 +178,13 @@ def _read_file(path: Path) -> pymeshlab.MeshSet:
     if not path.is_file():
         raise InvalidMeshError(f"there is no file {path}")
     try:
+        declared = declared_faces(path)
         meshes = _load(path)
     except InvalidMeshError as error:
         raise InvalidMeshError(f"{path} cannot be read: {error}") from None
     if meshes is None:
         return _read_otherwise(path)
-    found, declared = meshes.current_mesh().face_number(), declared_faces(path)
+    found = meshes.current_mesh().face_number()
     if found == 0:
         raise InvalidMeshError(
             f"{path} has no faces{f' that can be read, of {declared}' if declared else ''}"

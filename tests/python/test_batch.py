@@ -234,6 +234,20 @@ def test_a_killed_run_goes_on_where_it_was(tmp_path, slow):
     assert not list(out.rglob(".unfinished"))
 
 
+def test_an_interrupted_run_is_130_and_tidy(tmp_path, slow):
+    source, out = copies(tmp_path / "in", 8), tmp_path / "out"
+    run = start(source, "--out", out, "--parameters", slow)
+    wait_for(lambda: list(out.glob("records/*.json")))
+    family = psutil.Process(run.pid).children(recursive=True)
+    run.send_signal(signal.SIGINT)
+    _, errors = run.communicate(timeout=120)
+    assert run.returncode == 130, errors
+    assert b"Traceback" not in errors
+    psutil.wait_procs(family, timeout=60)
+    assert not [process for process in family if process.is_running()]
+    assert not list(out.rglob(".unfinished*"))
+
+
 def test_killed_workers_cost_nothing_and_killed_children_their_mesh(tmp_path, slow):
     source, out = copies(tmp_path / "in", 8), tmp_path / "out"
     run = start(source, "--out", out, "--parameters", slow, "--workers", 2)

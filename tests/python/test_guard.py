@@ -56,7 +56,9 @@ def test_damaged_files_are_2_in_words(name, content, tmp_path):
     assert json.loads(ran.stdout)["error"] in ran.stderr
 
 
-@pytest.mark.parametrize("suffix", [".ply", ".dae", ".x3d", ".obj", ".stl", ".off", ".xyz", ".wrl", ".3ds"])
+@pytest.mark.parametrize(
+    "suffix", [".ply", ".dae", ".x3d", ".obj", ".stl", ".off", ".xyz", ".wrl", ".3ds", ".json"]
+)
 def test_a_full_disk_leaves_what_was_there(suffix, tmp_path):
     target = tmp_path / f"out{suffix}"
     target.write_text("old")
@@ -64,6 +66,7 @@ def test_a_full_disk_leaves_what_was_there(suffix, tmp_path):
     assert ran.returncode == 2, ran.stdout
     assert ran.stderr.startswith("error: ")
     assert str(target) in ran.stderr
+    assert ran.stderr.count("\n") == 1
     assert ".unfinished" not in ran.stderr
     assert target.read_text() == "old"
     assert list(tmp_path.iterdir()) == [target]

@@ -115,7 +115,7 @@ def errors_in_words(as_json: bool = False) -> Iterator[None]:
 
 def end_with_sentence(sentence: str, as_json: bool = False) -> NoReturn:
     """Ends the program with BAD_INPUT and says why."""
-    sentence = printable(sentence)
+    sentence = printable(" ".join(sentence.split()))
     if as_json:
         print_json({"error": sentence})
     click.echo(f"error: {sentence}", err=True)
