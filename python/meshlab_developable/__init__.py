@@ -10,8 +10,10 @@ from meshlab_developable.errors import (
     FilterError,
     InvalidMeshError,
     InvalidParameterError,
+    LostFacesWarning,
     PatternError,
     PluginNotFoundError,
+    WriteError,
 )
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.methods import Developed, Measured
@@ -30,6 +32,7 @@ __all__ = [
     "InvalidMeshError",
     "InvalidParameterError",
     "LocalReport",
+    "LostFacesWarning",
     "Measured",
     "Measures",
     "OptimizationReport",
@@ -38,6 +41,7 @@ __all__ = [
     "PluginNotFoundError",
     "Seam",
     "Status",
+    "WriteError",
     "flatten",
     "load",
     "make_developable",

@@ -22,5 +22,13 @@ class FilterError(DevelopableError, RuntimeError):
     """The filter refused the mesh or the parameters; the text is its own."""
 
 
+class WriteError(DevelopableError, OSError):
+    """A file that cannot be written, or not whole; what was there before is as it was."""
+
+
+class LostFacesWarning(UserWarning):
+    """A file was read, but not all of its faces."""
+
+
 class PatternError(DevelopableError, ValueError):
     """Pieces that can't be made into a pattern, or don't fit where they are to go."""

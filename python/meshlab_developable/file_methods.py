@@ -3,19 +3,16 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from meshlab_developable import mesh_sets
-from meshlab_developable.errors import InvalidMeshError
+from meshlab_developable.errors import InvalidMeshError, WriteError
 from meshlab_developable.filters import FLATTEN, MAPS
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
 from meshlab_developable.methods import METHODS
 from meshlab_developable.reports import Measures, OptimizationReport
+from meshlab_developable.writing import written_whole
 
 
 def measure_file(
@@ -24,7 +21,7 @@ def measure_file(
     """Measure a file's mesh; write it with the map as quality and colours when there is a target.
 
     Parameters are those of the filter Developability Maps. Raises InvalidMeshError, InvalidParameterError,
-    FilterError and what `load` raises.
+    FilterError, WriteError and what `load` raises.
     """
     values = MAPS.checked(parameters)
     meshes = mesh_sets.open_mesh(source)
@@ -73,22 +70,22 @@ def flatten_file(
     return flat
 
 
-def save_whole(meshes: Any, target: Path) -> None:
-    """Write the current layer so that the target is at no moment half written."""
-    with written_whole(target) as path:
-        mesh_sets.save(meshes, path)
+def save_whole(meshes: Any, target: Path, scratch: Path | None = None) -> None:
+    """Write the current layer so that the target is at no moment half written.
 
-
-@contextmanager
-def written_whole(target: Path, scratch: Path | None = None) -> Iterator[Path]:
-    """A path to write to, of the target's name; it becomes the target when the block ends well.
-
-    scratch: an existing folder on the target's file system for what is not finished; the target's, when None.
-    Raises InvalidMeshError when there is no folder for the target.
+    Hosts say nothing of a disk that is full: what was written is read again, and replaces what was there when
+    nothing is missing. scratch: see `written_whole`. Raises WriteError.
     """
-    if not target.parent.is_dir():
-        raise InvalidMeshError(f"there is no folder {target.parent} to write {target.name} to")
-    with tempfile.TemporaryDirectory(dir=scratch or target.parent, prefix=f".{target.name}.") as folder:
-        path = Path(folder) / target.name
-        yield path
-        os.replace(path, target)
+    with written_whole(target, scratch) as path:
+        try:
+            mesh_sets.save(meshes, path)
+            missing = mesh_sets.missing_elements(meshes, path)
+        except InvalidMeshError as error:
+            raise WriteError(
+                f"{target} cannot be written: {str(error).replace(str(path), str(target))}"
+            ) from None
+        if missing:
+            raise WriteError(
+                f"{target} cannot be written whole: {missing} are missing when it is read again; is the disk "
+                "full, or the mesh too large for the format?"
+            )

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias, runtime_checkable
@@ -13,12 +14,17 @@ import numpy.typing as npt
 import pymeshlab
 
 from meshlab_developable import plugin
-from meshlab_developable.errors import FilterError, InvalidMeshError
+from meshlab_developable.declared_counts import declared_faces
+from meshlab_developable.errors import FilterError, InvalidMeshError, LostFacesWarning
 from meshlab_developable.filters import Filter
+from meshlab_developable.names import printable
 from meshlab_developable.parameters import Length
 
 Array: TypeAlias = npt.NDArray[np.float64]
 IndexArray: TypeAlias = npt.NDArray[np.int32]
+
+_POINT_FORMATS = (".e57", ".xyz")  # without faces, of those that pymeshlab writes
+_ROOM = 1 << 16  # bytes; more than a block of any disk
 
 # A length given as a plain number; pymeshlab 2022.2 has it under the second name.
 _PlainLength = getattr(pymeshlab, "PureValue", None) or pymeshlab.AbsoluteValue
@@ -88,12 +94,33 @@ def apply_filter(meshes: Any, applied: Filter, values: Mapping[str, Any]) -> dic
 
 
 def save(meshes: Any, path: Path) -> None:
-    """Write the current layer with its quality and colours. Raises InvalidMeshError for a format unknown."""
+    """Write the current layer with its quality and colours.
+
+    Raises InvalidMeshError in the writer's own words. A full disk is no error to many a writer.
+    """
     try:
-        meshes.save_current_mesh(str(path))
+        meshes.save_current_mesh(_name(path))
     except pymeshlab.PyMeshLabException as error:
         forget_failure()
-        raise InvalidMeshError(f"{path} cannot be written: {own_words(str(error))}") from None
+        raise InvalidMeshError(own_words(str(error))) from None
+
+
+def missing_elements(meshes: Any, path: Path) -> str:
+    """What of the current layer is not in the file that it was written to, in words; empty when nothing is.
+
+    Of formats that pymeshlab writes but does not read it is only seen that they are not empty, and that there
+    is still room beside them. Raises InvalidMeshError when the file cannot be read again, and OSError.
+    """
+    again = _load(path)
+    if again is None:
+        path.with_name("room").write_bytes(bytes(_ROOM))
+        return "" if path.stat().st_size else "all faces"
+    written, found = meshes.current_mesh(), again.current_mesh()
+    if path.suffix.lower() in _POINT_FORMATS:
+        missing, elements = written.vertex_number() - found.vertex_number(), "vertices"
+    else:
+        missing, elements = written.face_number() - found.face_number(), "faces"
+    return f"{missing} {elements}" if missing > 0 else ""
 
 
 def add_layer(meshes: Any, source: Source, faces: npt.ArrayLike | None = None) -> int:
@@ -150,17 +177,54 @@ def own_words(text: str) -> str:
 def _read_file(path: Path) -> pymeshlab.MeshSet:
     if not path.is_file():
         raise InvalidMeshError(f"there is no file {path}")
+    try:
+        declared = declared_faces(path)
+        meshes = _load(path)
+    except InvalidMeshError as error:
+        raise InvalidMeshError(f"{path} cannot be read: {error}") from None
+    if meshes is None:
+        return _read_otherwise(path)
+    found = meshes.current_mesh().face_number()
+    if found == 0:
+        raise InvalidMeshError(
+            f"{path} has no faces{f' that can be read, of {declared}' if declared else ''}"
+        )
+    if declared is not None and found < declared:
+        warnings.warn(
+            f"{declared - found} of the {declared} faces in {path} were left out when it was read: they name "
+            "vertices that are not there, have no number as a coordinate, or name a vertex twice",
+            LostFacesWarning,
+            stacklevel=4,
+        )
+    return meshes
+
+
+def _load(path: Path) -> pymeshlab.MeshSet | None:
+    """What pymeshlab reads in a file; None when it does not know the format.
+
+    Raises InvalidMeshError in the reader's own words, and MemoryError.
+    """
     meshes = pymeshlab.MeshSet()
     try:
-        meshes.load_new_mesh(str(path))
+        meshes.load_new_mesh(_name(path))
     except pymeshlab.PyMeshLabException as error:
         if "Unknown format" in str(error):
-            return _read_otherwise(path)
+            return None
         forget_failure()
-        raise InvalidMeshError(f"{path} cannot be read: {own_words(str(error))}") from None
-    if meshes.current_mesh().face_number() == 0:
-        raise InvalidMeshError(f"{path} has no faces")
+        raise InvalidMeshError(own_words(str(error))) from None
+    except MemoryError:
+        raise MemoryError(f"{path} needs more memory than there is; is its header right?") from None
+    except (ValueError, RuntimeError) as error:  # of the libraries below the readers
+        raise InvalidMeshError(f"malformed file ({error})") from None
     return meshes
+
+
+def _name(path: Path) -> str:
+    """The path as pymeshlab takes it, which is as text."""
+    name = str(path)
+    if name != printable(name):
+        raise InvalidMeshError("its path is not UTF-8; rename it")
+    return name
 
 
 def _from_arrays(vertices: Any, faces: Any, corners: Array | None = None) -> pymeshlab.MeshSet:
@@ -217,6 +281,10 @@ def _checked(vertices: Any, faces: Any) -> tuple[Array, IndexArray]:
     if triangles.ndim != 2 or triangles.shape[1] != 3:
         raise InvalidMeshError(
             f"faces must be m x 3, not of shape {triangles.shape}; triangulate other polygons"
+        )
+    if not len(positions) or not len(triangles):
+        raise InvalidMeshError(
+            f"a mesh needs vertices and faces; this has {len(positions)} vertices and {len(triangles)} faces"
         )
     if not np.issubdtype(triangles.dtype, np.integer):
         raise InvalidMeshError(f"faces must be whole numbers, not {triangles.dtype}")

@@ -19,6 +19,7 @@ import numpy as np
 
 from meshlab_developable.errors import InvalidParameterError
 
+LARGEST_INTEGER = 2**31 - 1  # that hosts take
 TRUE, FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
 
@@ -71,8 +72,8 @@ class Whole(Kind):
 
     def check(self, value: Any) -> int:
         """Any kind of integer."""
-        if not _is_integer(value) or value < 0:
-            raise ValueError("must be a whole number, 0 or more")
+        if not _is_integer(value) or not 0 <= value <= LARGEST_INTEGER:
+            raise ValueError(f"must be a whole number, 0 or more and at most {LARGEST_INTEGER}")
         return int(value)
 
     def parse(self, text: str) -> int:
@@ -176,7 +177,7 @@ class Layer(Kind):
 
     def check(self, value: Any) -> int:
         """Any kind of integer."""
-        if not _is_integer(value) or value < 0:
+        if not _is_integer(value) or not 0 <= value <= LARGEST_INTEGER:
             raise ValueError("must be the number of a layer, 0 or more")
         return int(value)
 

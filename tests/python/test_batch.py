@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import csv
 import fcntl
 import html.parser
 import json
@@ -27,8 +28,9 @@ from meshlab_developable import filters
 from meshlab_developable.batch import Settings, State
 from meshlab_developable.batch.children import Children
 from meshlab_developable.batch.inputs import find_inputs
-from meshlab_developable.batch.records import Job
+from meshlab_developable.batch.records import Job, Row
 from meshlab_developable.batch.settings import read_settings
+from meshlab_developable.batch.table import write_tables
 from meshlab_developable.batch.thumbnails import BACKGROUND, SIZE, draw
 from meshlab_developable.command_line import main
 from PIL import Image
@@ -120,11 +122,11 @@ def test_messages_say_what_was_wrong(mixed):
 
 def test_tables_hold_the_same_and_all_numbers(mixed):
     parquet = pyarrow.parquet.read_table(mixed[1] / "results.parquet")
-    csv = pyarrow.csv.read_csv(mixed[1] / "results.csv")
-    assert parquet.column_names == csv.column_names
-    assert csv.column_names[:3] == ["input", "state", "message"]
+    text = pyarrow.csv.read_csv(mixed[1] / "results.csv")
+    assert parquet.column_names == text.column_names
+    assert text.column_names[:3] == ["input", "state", "message"]
     for name in parquet.column_names:
-        assert parquet[name].to_pylist() == csv[name].to_pylist()
+        assert parquet[name].to_pylist() == text[name].to_pylist()
 
 
 @pytest.mark.parametrize(
@@ -232,6 +234,20 @@ def test_a_killed_run_goes_on_where_it_was(tmp_path, slow):
     assert not list(out.rglob(".unfinished"))
 
 
+def test_an_interrupted_run_is_130_and_tidy(tmp_path, slow):
+    source, out = copies(tmp_path / "in", 8), tmp_path / "out"
+    run = start(source, "--out", out, "--parameters", slow)
+    wait_for(lambda: list(out.glob("records/*.json")))
+    family = psutil.Process(run.pid).children(recursive=True)
+    run.send_signal(signal.SIGINT)
+    _, errors = run.communicate(timeout=120)
+    assert run.returncode == 130, errors
+    assert b"Traceback" not in errors
+    psutil.wait_procs(family, timeout=60)
+    assert not [process for process in family if process.is_running()]
+    assert not list(out.rglob(".unfinished*"))
+
+
 def test_killed_workers_cost_nothing_and_killed_children_their_mesh(tmp_path, slow):
     source, out = copies(tmp_path / "in", 8), tmp_path / "out"
     run = start(source, "--out", out, "--parameters", slow, "--workers", 2)
@@ -250,6 +266,61 @@ def test_killed_workers_cost_nothing_and_killed_children_their_mesh(tmp_path, sl
     (crashed,) = (row["message"] for row in rows.values() if row["state"] == "crashed")
     assert "SIGKILL" in crashed
     assert sum(row["state"] == "not_converged" for row in rows.values()) == 7
+
+
+def test_hard_names_cost_no_other_mesh_anything(tmp_path):
+    """Names that are no text, as long as names can be, or formulas to a spreadsheet; and again."""
+    source, out = tmp_path / "in", tmp_path / "out"
+    source.mkdir()
+    names = {
+        "\udcff.ply": "bad_input",
+        "n" * 251 + ".ply": "done",
+        "n" * 250 + "m.ply": "done",
+        "=1+1.ply": "done",
+        "a.ply": "done",
+    }
+    for name in names:
+        shutil.copy(MODELS / "dented_shell.ply", source / name)
+    expected = {name.replace("\udcff", "\\xff"): state for name, state in names.items()}
+    for _ in range(2):
+        result = batch(source, "--out", out, "--workers", 1)
+        assert result.exit_code == 4, result.output
+        assert states_of(out) == expected
+    assert "UTF-8" in rows_of(out)["\\xff.ply"]["message"]
+    assert len(list((out / "meshes").iterdir())) == 4
+    cells = pyarrow.csv.read_csv(out / "results.csv")["input"].to_pylist()
+    assert set(cells) == expected.keys() - {"=1+1.ply"} | {"'=1+1.ply"}
+
+
+@pytest.mark.parametrize("start", ["=", "+", "-", "@", "\t", "\r"])
+def test_cells_are_no_formulas(start, tmp_path):
+    row = Row(f"{start}SUM(A1).ply", State.BAD_INPUT, f"{start}1 = 2")
+    write_tables(tmp_path, [row, Row("plain=.ply", State.BAD_INPUT, "")], "global", tmp_path)
+    assert [row["input"] for row in rows_of(tmp_path).values()] == [row.input, "plain=.ply"]
+    with (tmp_path / "results.csv").open(newline="") as file:
+        cells = list(csv.DictReader(file))
+    assert [cell["input"] for cell in cells] == ["'" + row.input, "plain=.ply"]
+    assert cells[0]["message"] == "'" + row.message
+
+
+def test_no_memory_inside_a_filter_is_crashed(tmp_path):
+    """The reader needs less than the filter does, for a limit between."""
+    side = 150
+    grid = np.arange(side * side).reshape(side, side)
+    a, b, c, d = grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]
+    faces = np.concatenate([np.stack(corners, -1).reshape(-1, 3) for corners in ((a, b, c), (a, c, d))])
+    x, y = np.divmod(np.arange(side * side), side)
+    vertices = np.stack([x, y, np.sin(x / 9.0) * np.cos(y / 7.0)], axis=1)
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(vertices, faces))
+    (tmp_path / "in").mkdir()
+    meshes.save_current_mesh(str(tmp_path / "in" / "large.ply"))
+    out = tmp_path / "out"
+    settings = tmp_path / "settings.toml"
+    settings.write_text("memory_limit = 30\n[parameters]\nmax_iterations = 5\n")
+    assert batch(tmp_path / "in", "--out", out, "--parameters", settings).exit_code == 4
+    (row,) = rows_of(out).values()
+    assert (row["state"], row["message"]) == ("crashed", "needed more memory than the limit")
 
 
 def test_time_limit_and_again(tmp_path, slow):

@@ -6,30 +6,30 @@
 
 from __future__ import annotations
 
-import ctypes
 import json
 import os
 import resource
-import signal
 import sys
+import warnings
 from pathlib import Path
 from typing import Any
 
 from meshlab_developable import mesh_sets, plugin
 from meshlab_developable.batch.records import State
 from meshlab_developable.batch.thumbnails import write_thumbnail
-from meshlab_developable.errors import DevelopableError
-from meshlab_developable.file_methods import written_whole
+from meshlab_developable.errors import DevelopableError, LostFacesWarning
+from meshlab_developable.file_methods import save_whole
 from meshlab_developable.methods import METHODS
+from meshlab_developable.parent import die_with
+from meshlab_developable.writing import written_whole
 
 OUT_OF_MEMORY = 77  # exit code
-_PARENT_DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl
 
 
 def main() -> None:
     """Works until there is no more work, or no parent."""
     parent, limit = int(sys.argv[1]), float(sys.argv[2])
-    _die_with(parent)
+    die_with(parent)
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what libraries print is no answer
     plugin.load()
@@ -46,9 +46,13 @@ def main() -> None:
 def _work(request: dict[str, Any]) -> dict[str, Any]:
     """The row of a job, but for the input's name."""
     try:
-        return _developed(request)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", LostFacesWarning)
+            answer = _developed(request)
+        lost = (str(warning.message) for warning in caught if warning.category is LostFacesWarning)
+        return answer | {"message": "; ".join([answer["message"], *lost])}
     except DevelopableError as error:
-        if "bad_alloc" in str(error):
+        if any(words in str(error) for words in ("bad_alloc", "not enough memory")):
             raise MemoryError from error
         return {"state": State.BAD_INPUT, "message": " ".join(str(error).split()), "numbers": {}}
 
@@ -58,21 +62,12 @@ def _developed(request: dict[str, Any]) -> dict[str, Any]:
     meshes = mesh_sets.open_mesh(Path(request["source"]))
     numbers = mesh_sets.apply_filter(meshes, applied, request["parameters"])
     scratch = Path(request["scratch"])
-    with written_whole(Path(request["target"]), scratch) as path:
-        mesh_sets.save(meshes, path)
+    save_whole(meshes, Path(request["target"]), scratch)
     with written_whole(Path(request["thumbnail"]), scratch) as path:
         write_thumbnail(path, meshes.current_mesh())
     report = report_type.from_values(numbers)
     state = State.DONE if report.developable else State.NOT_CONVERGED
     return {"state": state, "message": report.reason, "numbers": numbers}
-
-
-def _die_with(parent: int) -> None:
-    """Linux ends this process when its parent is gone, however that came."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(_PARENT_DEATH_SIGNAL, signal.SIGKILL)
-    if os.getppid() != parent:
-        sys.exit("the parent is gone")
 
 
 def _limit_memory(limit: float) -> None:

@@ -5,10 +5,12 @@ from __future__ import annotations
 
 import collections
 import dataclasses
+import hashlib
 from collections.abc import Iterable
 from pathlib import Path, PurePosixPath
 
 from meshlab_developable.errors import InvalidMeshError
+from meshlab_developable.names import printable
 
 SUFFIXES = frozenset(
     {
@@ -28,6 +30,8 @@ SUFFIXES = frozenset(
         ".x3d",
     }
 )  # of surfaces, as pymeshlab, meshio or trimesh read them
+
+LONGEST_STEM = 200  # bytes; names of files have 255 at most
 
 
 @dataclasses.dataclass(frozen=True)
@@ -56,7 +60,7 @@ def _found(folder: Path, out: Path) -> dict[str, Path]:
     found = {}
     for path in sorted(folder.rglob("*")):
         if path.suffix.lower() in SUFFIXES and path.is_file() and not path.resolve().is_relative_to(out):
-            found[path.relative_to(folder).as_posix()] = path.absolute()
+            found[printable(path.relative_to(folder).as_posix())] = path.absolute()
     return found
 
 
@@ -64,11 +68,13 @@ def _listed(path: Path) -> dict[str, Path]:
     if path.suffix.lower() in SUFFIXES:
         raise InvalidMeshError(f"{path} is a mesh, where a folder or a list of meshes is wanted")
     try:
-        lines = path.read_text("utf-8").splitlines()
-    except UnicodeDecodeError:
-        raise InvalidMeshError(f"{path} is neither a folder nor a text file that lists meshes") from None
+        lines = path.read_text("utf-8", "surrogateescape").splitlines()
+    except OSError as error:
+        raise InvalidMeshError(f"{path} cannot be read: {error.strerror}") from None
+    if any("\0" in line for line in lines):
+        raise InvalidMeshError(f"{path} is neither a folder nor a text file that lists meshes")
     names = [line.strip() for line in lines if line.strip() and not line.lstrip().startswith("#")]
-    return {name: (path.parent / name).absolute() for name in names}
+    return {printable(name): (path.parent / name).absolute() for name in names}
 
 
 def _stems(names: Iterable[str]) -> list[str]:
@@ -90,8 +96,16 @@ def _stems(names: Iterable[str]) -> list[str]:
 
 
 def _inside(name: str) -> str:
-    """The name as a path that stays below the folder it is put in."""
+    """The name as a path that stays below the folder it is put in, with room for another suffix."""
     path = PurePosixPath(Path(name).as_posix())
     if path.is_absolute() or ".." in path.parts:
-        return path.name
-    return str(path)
+        path = PurePosixPath(path.name)
+    return str(path.parent.joinpath(_shortened(path.stem) + path.suffix))
+
+
+def _shortened(name: str) -> str:
+    """The name, cut where it is long, and then with what tells it from others that begin the same."""
+    encoded = name.encode()
+    if len(encoded) <= LONGEST_STEM:
+        return name
+    return f"{encoded[: LONGEST_STEM - 9].decode(errors='ignore')}-{hashlib.sha256(encoded).hexdigest()[:8]}"

@@ -13,7 +13,7 @@ from urllib.parse import quote
 import jinja2
 
 from meshlab_developable.batch.records import Job, Row, State
-from meshlab_developable.file_methods import written_whole
+from meshlab_developable.writing import written_whole
 
 
 def write_overview(out: Path, jobs: Sequence[Job], rows: Sequence[Row], scratch: Path) -> None:

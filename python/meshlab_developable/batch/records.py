@@ -14,6 +14,7 @@ from typing import Any
 
 import meshlab_developable
 from meshlab_developable.batch.settings import Settings
+from meshlab_developable.names import printable
 
 
 class State(enum.StrEnum):
@@ -34,6 +35,9 @@ class Row:
     state: State
     message: str
     numbers: Mapping[str, Any] = dataclasses.field(default_factory=dict)  # as the filter returns them
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "message", printable(self.message))
 
 
 @dataclasses.dataclass(frozen=True)

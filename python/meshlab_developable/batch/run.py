@@ -51,7 +51,8 @@ def run(
             finished(row)
         waiting = [job for job in jobs if job.name not in rows]
         for job in waiting:
-            job.record.unlink(missing_ok=True)
+            with contextlib.suppress(OSError):  # a path too long ends its mesh, not the batch
+                job.record.unlink(missing_ok=True)
         if waiting:
             with (
                 silence_logging_cmgr(logging.CRITICAL),
@@ -100,7 +101,8 @@ def _work(client: Client, jobs: Sequence[Job], settings: Settings) -> Iterator[R
                 raise DevelopableError("the scheduler is gone; start the batch again, and it goes on")
             else:
                 row = Row(job.name, State.CRASHED, f"the worker failed: {future.exception()}")
-                write_record(job, row, job.fingerprint())
+                with contextlib.suppress(OSError):  # which may be why it failed
+                    write_record(job, row, job.fingerprint())
                 yield row
     finally:
         with contextlib.suppress(OSError):

@@ -9,12 +9,13 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pyarrow
+import pyarrow.compute
 import pyarrow.csv
 import pyarrow.parquet
 
 from meshlab_developable.batch.records import Row
-from meshlab_developable.file_methods import written_whole
 from meshlab_developable.methods import METHODS
+from meshlab_developable.writing import written_whole
 
 _TYPES = {bool: pyarrow.bool_(), float: pyarrow.float64()}  # others are whole numbers, as filters return them
 
@@ -25,7 +26,18 @@ def write_tables(out: Path, rows: Sequence[Row], method: str, scratch: Path) -> 
     with written_whole(out / "results.parquet", scratch) as path:
         pyarrow.parquet.write_table(table, path)
     with written_whole(out / "results.csv", scratch) as path:
-        pyarrow.csv.write_csv(table, path)
+        pyarrow.csv.write_csv(_without_formulas(table), path)
+
+
+def _without_formulas(table: pyarrow.Table) -> pyarrow.Table:
+    """Texts that a spreadsheet would take for a formula with an apostrophe before them; a name may be one."""
+    for index, field in enumerate(table.schema):
+        if pyarrow.types.is_string(field.type):
+            texts = pyarrow.compute.replace_substring_regex(
+                table.column(index), pattern=r"\A([=+\-@\t\r])", replacement=r"'\1"
+            )
+            table = table.set_column(index, field, texts)
+    return table
 
 
 def _table(rows: Sequence[Row], method: str) -> pyarrow.Table:

@@ -8,6 +8,8 @@ are imported when their command runs, so that help and completion need not wait 
 from __future__ import annotations
 
 import importlib
+import sys
+from typing import Any
 
 import click
 
@@ -24,8 +26,19 @@ COMMANDS = {  # name: module beside this one
 }
 
 
+IN_OWN_PROCESSES = {"batch"}  # what they work on is in processes of its own already
+
+
 class Commands(click.Group):
     """The commands of COMMANDS, in that order."""
+
+    def __call__(self, *arguments: Any, **keywords: Any) -> Any:
+        """The program."""
+        if not IN_OWN_PROCESSES.intersection(sys.argv[1:2]):
+            from meshlab_developable.command_line.guard import continue_in_child
+
+            continue_in_child()
+        return super().__call__(*arguments, **keywords)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Their names."""
@@ -46,7 +59,7 @@ def main() -> None:
     """Make panels of triangle meshes developable, so that they can be cut from flat material.
 
     Exit codes: 0 done; 2 bad input; 3 not converged (the result is written all the same); 4 some meshes of
-    a batch are not done.
+    a batch are not done; 130 interrupted.
 
     \b
     Examples:

@@ -43,8 +43,8 @@ def command(filter_name: str, values: tuple[str, ...], output: Path | None) -> N
       developable script local angle_tolerance=0.01 descent=true map="Angle defect" -o local.mlx
       meshlabserver -i panel.ply -o out.ply -m vq vc -s global.mlx
     """
-    from meshlab_developable.file_methods import written_whole
     from meshlab_developable.scripts import script_text
+    from meshlab_developable.writing import written_whole
 
     with shared.errors_in_words():
         applied = find_filter(filter_name)

@@ -6,16 +6,19 @@ from __future__ import annotations
 import contextlib
 import enum
 import json
+import signal
 import sys
+import warnings
 from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import click
 from click.shell_completion import CompletionItem
 
-from meshlab_developable.errors import DevelopableError, InvalidParameterError
+from meshlab_developable.errors import DevelopableError, InvalidParameterError, LostFacesWarning
 from meshlab_developable.filters import Filter
+from meshlab_developable.names import printable
 from meshlab_developable.parameters import Boolean, Choice, Kind, Number, Parameter
 
 
@@ -26,6 +29,7 @@ class Exit(enum.IntEnum):
     BAD_INPUT = 2  # click's own for a command that it does not understand
     NOT_CONVERGED = 3
     SOME_NOT_DONE = 4
+    INTERRUPTED = 128 + signal.SIGINT
 
 
 MESH = click.Path(exists=True, dir_okay=False, path_type=Path)
@@ -91,19 +95,41 @@ def given(values: Mapping[str, Any]) -> dict[str, Any]:
 
 @contextlib.contextmanager
 def errors_in_words(as_json: bool = False) -> Iterator[None]:
-    """Ends the program with BAD_INPUT and a sentence when something is wrong with the input."""
-    try:
-        yield
-    except DevelopableError as error:
-        if as_json:
-            print_json({"error": str(error)})
-        click.echo(f"error: {error}", err=True)
-        sys.exit(Exit.BAD_INPUT)
+    """Ends the program with BAD_INPUT and a sentence when something is wrong with the input, and with
+    INTERRUPTED when it is interrupted; says where a file was not read whole."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", LostFacesWarning)
+        warnings.showwarning = _warn
+        try:
+            yield
+        except KeyboardInterrupt:
+            sys.exit(Exit.INTERRUPTED)
+        except DevelopableError as error:
+            end_with_sentence(str(error), as_json)
+        except OSError as error:
+            place = f": {error.filename}" if error.filename else ""
+            end_with_sentence(f"{error.strerror or error}{place}", as_json)
+        except MemoryError as error:
+            end_with_sentence(str(error) or "there is not enough memory", as_json)
+
+
+def end_with_sentence(sentence: str, as_json: bool = False) -> NoReturn:
+    """Ends the program with BAD_INPUT and says why."""
+    sentence = printable(" ".join(sentence.split()))
+    if as_json:
+        print_json({"error": sentence})
+    click.echo(f"error: {sentence}", err=True)
+    sys.exit(Exit.BAD_INPUT)
+
+
+def _warn(message: Warning | str, category: type[Warning], *_: Any, **_places: Any) -> None:
+    if issubclass(category, LostFacesWarning):
+        click.echo(f"warning: {printable(str(message))}", err=True)
 
 
 def print_json(content: Any) -> None:
     """The content on standard output."""
-    click.echo(json.dumps(content, indent=2, ensure_ascii=False, default=str))
+    click.echo(printable(json.dumps(content, indent=2, ensure_ascii=False, default=str)))
 
 
 def print_result(as_json: bool, heading: str, values: Mapping[str, Any], **words: Any) -> None:
@@ -116,7 +142,7 @@ def print_result(as_json: bool, heading: str, values: Mapping[str, Any], **words
 
 def print_table(heading: str, rows: Mapping[str, Any]) -> None:
     """Names and values in two columns."""
-    click.echo(heading)
+    click.echo(printable(heading))
     width = max(map(len, rows))
     for name, value in rows.items():
         click.echo(

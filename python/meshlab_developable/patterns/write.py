@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import dataclasses
 import os
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -27,6 +26,7 @@ from meshlab_developable.patterns.pieces import Pieces, make_pieces
 from meshlab_developable.patterns.side_file import write_side_file
 from meshlab_developable.patterns.strain import require_little_strain, strain_notes
 from meshlab_developable.patterns.svg import write_svg
+from meshlab_developable.writing import written_together
 
 OPTIONS = tuple(field.name for field in dataclasses.fields(PatternOptions))
 
@@ -148,9 +148,7 @@ def _write_all(
     sheets: Sequence[Sheet],
 ) -> tuple[Path, ...]:
     """Everything is written elsewhere first, so that nothing is left half done."""
-    there = next(parent for parent in (folder, *folder.absolute().parents) if parent.is_dir())
-    with tempfile.TemporaryDirectory(dir=there, prefix=f".{name}.") as elsewhere:
-        path = Path(elsewhere)
+    with written_together(folder) as path:
         on_sheets = _sheet_drawings(name, drawings, sheets)
         if "svg" in options.formats:
             for number, sheet in enumerate(on_sheets):
@@ -163,8 +161,5 @@ def _write_all(
         if "dxf" in options.formats:
             write_dxf(path / f"{name}.dxf", name, drawings, _in_a_row(drawings, sheets))
         write_side_file(path / f"{name}.json", name, pieces, seams, sheets)
-        written = sorted(path.iterdir())
-        folder.mkdir(parents=True, exist_ok=True)
-        for file in written:
-            os.replace(file, folder / file.name)
-    return tuple(folder / file.name for file in written)
+        names = sorted(file.name for file in path.iterdir())
+    return tuple(folder / file_name for file_name in names)
