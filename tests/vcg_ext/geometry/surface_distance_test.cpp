@@ -96,5 +96,16 @@ TEST(SurfaceDistance, DoesNotDependOnTheOrderOfThePoints) {
 	EXPECT_LT((forwards - backwards).cwiseAbs().maxCoeff(), 1e-15);
 }
 
+TEST(SurfaceDistance, ScalesWithLengthsWhoseSixthPowerIsNoNumber) {
+	const TriangleMesh surface = jitteredGrid(9, 7, bumpedCylinder);
+	const Positions points = scatteredPoints(40, 1);
+	const Eigen::VectorXd distances = distancesToSurface(points, surface.positions, surface.triangles);
+	for (const double scale : {1e60, 1e-60}) {
+		const Eigen::VectorXd scaled =
+			distancesToSurface(scale * points, scale * surface.positions, surface.triangles) / scale;
+		EXPECT_LT((scaled - distances).cwiseAbs().maxCoeff(), 1e-14) << scale;
+	}
+}
+
 } // namespace
 } // namespace developable::test

@@ -87,8 +87,9 @@ TEST(Kernels, PassOnThatATriangleHasNoArea) {
 
 TEST(Kernels, CountTurns) {
 	for (int halves = 1; halves < 12; ++halves)
-		for (const double defect : fanDefects(std::vector<double>(halves, 0.0)))
-			EXPECT_NEAR(defect, 2 * pi - halves * pi / 2, 1e-14);
+		for (const double cotangent : {0.0, -0.0})
+			for (const double defect : fanDefects(std::vector<double>(halves, cotangent)))
+				EXPECT_NEAR(defect, 2 * pi - halves * pi / 2, 1e-14);
 }
 
 } // namespace

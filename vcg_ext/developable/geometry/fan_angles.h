@@ -55,8 +55,12 @@ struct FanProduct {
 		turns += ((before >= 0) & (imaginary < 0)) ? every<Number>(1) : Number{};
 	}
 
-	/// 2π minus the sum, exact to rounding of the difference itself near 0.
-	DEVELOPABLE_INLINE Number defect() const { return 2 * pi * (1 - turns) - argument(real, imaginary); }
+	/// 2π minus the sum, exact to rounding of the difference itself near 0. A sum of π may leave an imaginary
+	/// part of −0, which is not below 0, so that no turn is counted, but has the argument −π: adding 0 makes
+	/// it +0.
+	DEVELOPABLE_INLINE Number defect() const {
+		return 2 * pi * (1 - turns) - argument<Number>(real, imaginary + 0.0);
+	}
 };
 
 } // namespace developable::detail

@@ -26,8 +26,9 @@ double squaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vect
 		return (end - start).cross(point - start).dot(normal) > 0;
 	};
 	if (isInside(a, b) && isInside(b, c) && isInside(c, a)) {
-		const double height = normal.dot(point - a);
-		return height * height / normal.squaredNorm();
+		// Divided before it is squared: the sixth power of a length leaves the range of numbers soon.
+		const double height = normal.dot(point - a) / normal.norm();
+		return height * height;
 	}
 	return std::min({squaredDistanceToSegment(point, a, b), squaredDistanceToSegment(point, b, c),
 					 squaredDistanceToSegment(point, c, a)});

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// oracles.cpp: angles by the arc tangent, normals by the cross product, and counting.
+#include "oracles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace developable::fuzz {
+
+namespace {
+
+/// The angle at a corner of a triangle, and what rounding may make of it where it is taken from twice the
+/// area, which is known up to a share of the square of the longest edge.
+struct Angle {
+	double value, error;
+};
+
+Angle angleAt(const PatchAssembly& assembly, const Positions& positions, int triangle, int corner) {
+	const auto places = assembly.trianglePlaces.col(triangle);
+	const Eigen::Vector3d at = positions.col(places[corner]);
+	const Eigen::Vector3d a = positions.col(places[(corner + 1) % 3]) - at;
+	const Eigen::Vector3d b = positions.col(places[(corner + 2) % 3]) - at;
+	const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+	const Eigen::Vector3d u = a / longest, v = b / longest;
+	return {std::atan2(u.cross(v).norm(), u.dot(v)), 1e-14 / (u.norm() * v.norm()) + 1e-14};
+}
+
+Eigen::Vector3d normalOf(const PatchAssembly& assembly, const Positions& positions, int triangle) {
+	const auto places = assembly.trianglePlaces.col(triangle);
+	const Eigen::Vector3d a = positions.col(places[1]) - positions.col(places[0]);
+	const Eigen::Vector3d b = positions.col(places[2]) - positions.col(places[0]);
+	const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+	return (a / longest).cross(b / longest); // its length: of a triangle with longest edge 1, twice the area
+}
+
+void checkNeighbours(const PatchAssembly& assembly, Findings& findings) {
+	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
+		const int across = assembly.joinedHalfEdge[h];
+		if (across < 0)
+			continue;
+		const int next = h % 3 == 2 ? h - 2 : h + 1, nextAcross = across % 3 == 2 ? across - 2 : across + 1;
+		findings.expect(across != h && assembly.joinedHalfEdge[across] == h,
+						"a neighbour does not know its own");
+		findings.expect(assembly.patchOfTriangle[h / 3] == assembly.patchOfTriangle[across / 3],
+						"neighbours in two patches");
+		findings.expect(std::minmax(assembly.copyAt(h), assembly.copyAt(next)) ==
+							std::minmax(assembly.copyAt(across), assembly.copyAt(nextAcross)),
+						"neighbours without common vertex copies");
+	}
+}
+
+void checkCopies(const PatchAssembly& assembly, const PatchOptions& options, Findings& findings) {
+	std::vector<char> interior(assembly.copyCount(), 1);
+	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
+		const int copy = assembly.copyAt(h), next = assembly.copyAt(h % 3 == 2 ? h - 2 : h + 1);
+		findings.expect(assembly.placeOfCopy[copy] == assembly.placeAt(h), "a corner in two places");
+		findings.expect(assembly.patchOfCopy[copy] == assembly.patchOfTriangle[h / 3],
+						"a corner in two patches");
+		if (assembly.joinedHalfEdge[h] < 0)
+			interior[copy] = interior[next] = 0;
+	}
+	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
+		findings.expect(bool(assembly.copyInterior[copy]) == bool(interior[copy]),
+						"inside and outside are mistaken");
+		findings.expect(interior[copy] || !options.fixBoundary ||
+							assembly.placeFixed[assembly.placeOfCopy[copy]],
+						"a vertex on the boundary is not held");
+	}
+}
+
+void checkPlaces(const TriangleMesh& mesh, const PatchOptions& options, const PatchAssembly& assembly,
+				 Findings& findings) {
+	using Point = std::array<double, 3>;
+	std::map<Point, int> placeOfPoint;
+	for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+		const int place = assembly.placeOfVertex[vertex];
+		if (place < 0)
+			continue;
+		findings.expect(place < assembly.placeCount(), "a place out of range");
+		const Point point = {mesh.positions(0, vertex), mesh.positions(1, vertex), mesh.positions(2, vertex)};
+		findings.expect(placeOfPoint.emplace(point, place).first->second == place,
+						"vertices with equal coordinates in two places");
+		findings.expect(!options.fixSelected || !mesh.vertexSelected[vertex] || assembly.placeFixed[place],
+						"a selected vertex is not held");
+		findings.expect(options.weldDistance > 0 ||
+							assembly.originalPositions.col(place) == mesh.positions.col(vertex),
+						"a vertex has moved though nothing is welded");
+	}
+}
+
+} // namespace
+
+OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions) {
+	OwnDefects defects{Eigen::VectorXd::Constant(assembly.copyCount(), 2 * pi),
+					   Eigen::VectorXd::Constant(assembly.copyCount(), 1e-14)};
+	for (int corner = 0; corner < 3 * assembly.triangleCount(); ++corner) {
+		const auto [angle, error] = angleAt(assembly, positions, corner / 3, corner % 3);
+		defects.values[assembly.copyAt(corner)] -= angle;
+		defects.errors[assembly.copyAt(corner)] += error;
+	}
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		if (!assembly.copyInterior[copy])
+			defects.values[copy] = defects.errors[copy] = 0;
+	return defects;
+}
+
+std::vector<double> ownPatchCurvatures(const PatchAssembly& assembly, const OwnDefects& defects) {
+	std::vector<double> curvatures(assembly.patchCount(), 0);
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		curvatures[assembly.patchOfCopy[copy]] += std::abs(defects.values[copy]);
+	return curvatures;
+}
+
+void checkAssembly(const TriangleMesh& mesh, const PatchOptions& options, const PatchAssembly& assembly,
+				   Findings& findings) {
+	findings.expect(assembly.originalPositions.allFinite(), "places that are not finite");
+	findings.expect(assembly.triangleCount() > 0 && assembly.triangleCount() <= mesh.triangleCount(),
+					"a wrong number of triangles");
+	checkNeighbours(assembly, findings);
+	checkCopies(assembly, options, findings);
+	checkPlaces(mesh, options, assembly, findings);
+}
+
+void checkResult(const PatchAssembly& assembly, const Positions& before, const Positions& after,
+				 Findings& findings) {
+	findings.expect(after.cols() == before.cols() && after.allFinite(), "positions that are not finite");
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		findings.expect(!assembly.placeFixed[place] || after.col(place) == before.col(place),
+						"a held vertex has moved");
+	const OwnDefects start = ownDefects(assembly, before), end = ownDefects(assembly, after);
+	const double slack = start.detectError() + end.detectError();
+	findings.expect(end.detectFunction() <= start.detectFunction() + slack,
+					"G has risen from " + std::to_string(start.detectFunction()) + " to " +
+						std::to_string(end.detectFunction()));
+}
+
+void checkTrianglesInOrder(const PatchAssembly& assembly, const Positions& after, Findings& findings) {
+	// Of thinner triangles rounding makes the normal.
+	constexpr double leastArea = 1e-8, slack = 1e-6;
+	const Positions& before = assembly.originalPositions;
+	double smallestBefore = pi, smallestAfter = pi;
+	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
+		smallestBefore = std::min(smallestBefore, angleAt(assembly, before, h / 3, h % 3).value);
+		smallestAfter = std::min(smallestAfter, angleAt(assembly, after, h / 3, h % 3).value);
+		const int across = assembly.joinedHalfEdge[h];
+		if (across < 0)
+			continue;
+		const double sameSide = assembly.copyAt(h) == assembly.copyAt(across) ? -1 : 1;
+		const auto cosine = [&](const Positions& positions) {
+			const Eigen::Vector3d a = normalOf(assembly, positions, h / 3),
+								  b = normalOf(assembly, positions, across / 3);
+			const bool thin = std::min(a.norm(), b.norm()) < leastArea;
+			return thin ? std::nan("") : sameSide * a.normalized().dot(b.normalized());
+		};
+		findings.expect(!(cosine(before) > slack) || !(cosine(after) < -0.5 - slack),
+						"a triangle has flipped");
+	}
+	findings.expect(smallestAfter >= std::min(smallestBefore / 2, 2 * pi / 180) * (1 - slack) - 1e-12,
+					"a triangle has become a sliver");
+}
+
+} // namespace developable::fuzz
