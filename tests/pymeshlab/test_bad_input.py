@@ -167,6 +167,16 @@ def test_patches_by_something_that_the_mesh_lacks(name, patches, lacks, tmp_path
     assert lacks in refusal(meshes, name, patches=patches)
 
 
+@ALL
+def test_patches_by_a_face_quality_that_is_no_number(name):
+    quality = np.zeros(len(bump()[1]))
+    quality[[3, 8]] = np.nan
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(*bump(), f_scalar_array=quality))
+    sentence = refusal(meshes, name, patches="Face quality")
+    assert sentence.startswith("2 faces have a quality that is not a number: compute it anew")
+
+
 @pytest.mark.parametrize("title", ["Distance", "Displacement"])
 def test_maps_of_change_before_any_change(title):
     sentence = refusal(mesh_set(bump()), MAPS, map=title)

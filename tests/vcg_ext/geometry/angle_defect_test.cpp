@@ -183,5 +183,25 @@ TEST(AngleDefect, DevelopabilityIsTheShareOfAreaOfDevelopablePoints) {
 	EXPECT_EQ(measure(assembly, mesh.positions, 4.0).developability, 1.0);
 }
 
+TEST(LargestAngleDefect, IsNotANumberWhereOneIsNot) {
+	Eigen::VectorXd defects = Eigen::VectorXd::LinSpaced(9, -4, 3);
+	EXPECT_EQ(largestAngleDefect(defects), 4);
+	EXPECT_EQ(largestAngleDefect(Eigen::VectorXd()), 0);
+	for (int i = 0; i < defects.size(); ++i) {
+		Eigen::VectorXd spoilt = defects;
+		spoilt[i] = std::nan("");
+		EXPECT_TRUE(std::isnan(largestAngleDefect(spoilt))) << i;
+	}
+}
+
+TEST(Measure, OfAShapeThatIsNoNumbersIsNotDevelopable) {
+	const PatchAssembly assembly = assembled(jitteredGrid(6, 6, saddle));
+	Positions positions = assembly.originalPositions;
+	positions(0, 14) = std::nan("");
+	const Measures measures = measure(assembly, positions, 1);
+	EXPECT_TRUE(std::isnan(measures.maxAngleDefect));
+	EXPECT_FALSE(measures.developability == 1);
+}
+
 } // namespace
 } // namespace developable::test

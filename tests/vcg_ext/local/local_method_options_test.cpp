@@ -4,6 +4,7 @@
 #include "support/local_method_cases.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace developable::test {
 namespace {
@@ -89,6 +90,35 @@ TEST(LocalMethod, MovesSeamsWhenTheyMayMoveTogether) {
 		}
 	EXPECT_GT(seamMove, 1e-3);
 	EXPECT_LT(measured(assembly, together).detectFunction, 0.8 * measured(assembly, fixed).detectFunction);
+}
+
+TEST(LocalMethod, DoesNotConvergeWithWhatIsNotANumber) {
+	const PatchAssembly assembly = assembled(jitteredGrid(6, 6, saddle));
+	LocalMethodOptions options;
+	options.angleTolerance = 1;
+	for (const int place : {0, 14, 35}) {
+		Positions positions = assembly.originalPositions;
+		positions(0, place) = std::nan("");
+		EXPECT_FALSE(converged(localMethod(assembly, positions, options).status)) << place;
+	}
+}
+
+TEST(LocalMethod, RefusesOptionsOutOfRange) {
+	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, saddle));
+	Positions positions = assembly.originalPositions;
+	const auto refused = [&](auto change) {
+		LocalMethodOptions options;
+		change(options);
+		EXPECT_THROW(localMethod(assembly, positions, options), InvalidParameter);
+	};
+	refused([](auto& options) { options.angleTolerance = -1e-9; });
+	refused([](auto& options) { options.angleTolerance = std::nan(""); });
+	refused([](auto& options) { options.maxOperations = -1; });
+	refused([](auto& options) { options.maxDisplacement = -0.5; });
+	refused([](auto& options) { options.maxDisplacement = std::nan(""); });
+	refused([](auto& options) { options.smoothing = -1; });
+	refused([](auto& options) { options.smoothing = std::numeric_limits<double>::infinity(); });
+	EXPECT_EQ(positions, assembly.originalPositions);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace developable::test {
 namespace {
@@ -129,6 +130,31 @@ TEST(PenaltyMethod, RefusesClosedPatchesAndNothingFree) {
 	const PatchAssembly held = assembled(mesh, patchOptions);
 	positions = held.originalPositions;
 	EXPECT_THROW(penaltyMethod(held, positions, {}), NothingFree);
+}
+
+TEST(PenaltyMethod, StallsAtWhatIsNotANumber) {
+	const PatchAssembly assembly = assembled(jitteredGrid(6, 6, saddle));
+	Positions positions = assembly.originalPositions;
+	positions(0, 14) = std::nan("");
+	PenaltyMethodOptions options;
+	options.maxIterations = std::numeric_limits<int>::max();
+	EXPECT_EQ(penaltyMethod(assembly, positions, options).status, Status::Stalled);
+}
+
+TEST(PenaltyMethod, RefusesOptionsOutOfRange) {
+	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, saddle));
+	Positions positions = assembly.originalPositions;
+	const auto refused = [&](auto change) {
+		PenaltyMethodOptions options;
+		change(options);
+		EXPECT_THROW(penaltyMethod(assembly, positions, options), InvalidParameter);
+	};
+	refused([](auto& options) { options.angleTolerance = -1e-9; });
+	refused([](auto& options) { options.angleTolerance = std::nan(""); });
+	refused([](auto& options) { options.relativeChange = -1; });
+	refused([](auto& options) { options.relativeChange = std::nan(""); });
+	refused([](auto& options) { options.maxIterations = -1; });
+	EXPECT_EQ(positions, assembly.originalPositions);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "support/vcg_meshes.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace developable::test {
 namespace {
@@ -148,6 +149,37 @@ TYPED_TEST(MeshReader, FindsSeamsByFaceColourQualityAndTexture) {
 	PatchOptions byQuality;
 	byQuality.seams = SeamKind::FaceQuality;
 	EXPECT_EQ(readPatches(this->mesh, byQuality).assemblingPlaceCount(), 9); // the cross between the quarters
+}
+
+TYPED_TEST(MeshReader, CountsFacesWhoseLabelsAreNoNumbers) {
+	const auto nan = std::numeric_limits<float>::quiet_NaN();
+	const auto message = [this](SeamKind seams) -> std::string {
+		try {
+			readTriangles(this->mesh, seams);
+		} catch (const MissingAttribute& error) {
+			return error.what();
+		}
+		return "";
+	};
+	fill(this->mesh, grid(4, 4, flatSheet));
+	for (auto& face : this->mesh.face) {
+		face.Q() = std::numeric_limits<float>::infinity(); // equals itself
+		for (int corner = 0; corner < 3; ++corner)
+			face.WT(corner) = typename TypeParam::FaceType::TexCoordType(0, 0);
+	}
+	EXPECT_EQ(message(SeamKind::FaceQuality), "");
+	EXPECT_EQ(message(SeamKind::TextureIslands), "");
+	this->mesh.face[2].Q() = nan;
+	this->mesh.face[5].WT(0).U() = nan;
+	this->mesh.face[5].WT(2).V() = nan;
+	this->mesh.face[7].WT(1).V() = nan;
+	EXPECT_EQ(message(SeamKind::FaceQuality).rfind("1 face has a quality that is not a number", 0), 0u);
+	EXPECT_EQ(message(SeamKind::TextureIslands).rfind("2 faces have texture coordinates that are not", 0),
+			  0u);
+	EXPECT_EQ(message(SeamKind::ConnectedComponents), "");
+	for (const int face : {2, 5, 7})
+		vcg::tri::Allocator<TypeParam>::DeleteFace(this->mesh, this->mesh.face[face]);
+	EXPECT_EQ(message(SeamKind::FaceQuality) + message(SeamKind::TextureIslands), "");
 }
 
 } // namespace

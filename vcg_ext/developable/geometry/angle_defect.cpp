@@ -27,6 +27,10 @@ double detectFunction(const Eigen::VectorXd& defects) {
 	return defects.squaredNorm();
 }
 
+double largestAngleDefect(const Eigen::VectorXd& defects) {
+	return defects.size() > 0 ? defects.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() : 0;
+}
+
 Positions weightedDefectGradient(const PatchAssembly& assembly, const Positions& positions,
 								 const Eigen::VectorXd& weights) {
 	Positions gradient = Positions::Zero(3, assembly.placeCount());
@@ -60,11 +64,11 @@ Measures measure(const PatchAssembly& assembly, const Positions& positions, doub
 	const Eigen::VectorXd areas = copyAreas(assembly, positions);
 	Measures measures;
 	measures.detectFunction = detectFunction(defects);
-	measures.maxAngleDefect = defects.size() > 0 ? defects.cwiseAbs().maxCoeff() : 0;
+	measures.maxAngleDefect = largestAngleDefect(defects);
 	measures.totalAbsoluteCurvature = defects.cwiseAbs().sum();
 	const double developable = (defects.array().abs() <= angleTolerance).select(areas.array(), 0).sum();
 	// Equal sums in a different order may differ in the last bit; all developable means exactly 1.
-	if (measures.maxAngleDefect > angleTolerance)
+	if (!(measures.maxAngleDefect <= angleTolerance))
 		measures.developability = developable / areas.sum();
 	return measures;
 }

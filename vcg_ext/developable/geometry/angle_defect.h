@@ -17,6 +17,9 @@ Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& pos
 /// The detect function G = Σ g² (Eq. 4), rad².
 double detectFunction(const Eigen::VectorXd& defects);
 
+/// The largest abs(g), rad; 0 of none, and not a number where any of them is not.
+double largestAngleDefect(const Eigen::VectorXd& defects);
+
 /// The gradient of Σ weight · g over all copies with respect to the places, in closed form; linked copies add
 /// up (Eq. 14). With weight = 2g it is the gradient of G.
 /// \param weights  per copy; those of copies on a boundary must be 0

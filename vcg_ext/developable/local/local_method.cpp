@@ -11,22 +11,23 @@ namespace developable {
 
 namespace {
 
-void requireSensible(const LocalMethodOptions& options) {
-	if (options.maxDisplacement != LocalMethodOptions::meanEdge && !(options.maxDisplacement >= 0))
-		throw InvalidParameter("The largest displacement is " + std::to_string(options.maxDisplacement) +
-							   ": choose 0 or more, or -1 for the mean edge length.");
-	if (!(options.smoothing >= 0) || !std::isfinite(options.smoothing))
-		throw InvalidParameter("The smoothing is " + std::to_string(options.smoothing) +
-							   ": choose 0 or more.");
+void requireValid(const LocalMethodOptions& options) {
+	requireOption(options.angleTolerance >= 0, "The angle tolerance must not be negative.");
+	requireOption(options.maxDisplacement == LocalMethodOptions::meanEdge || options.maxDisplacement >= 0,
+				  "The largest displacement is " + std::to_string(options.maxDisplacement) +
+					  ": choose 0 or more, or -1 for the mean edge length.");
+	requireOption(options.maxOperations >= 0, "The limit of operations must not be negative.");
+	requireOption(options.smoothing >= 0 && std::isfinite(options.smoothing),
+				  "The smoothing is " + std::to_string(options.smoothing) + ": choose 0 or more.");
 }
 
 } // namespace
 
 LocalMethodReport localMethod(const PatchAssembly& assembly, Positions& positions,
 							  const LocalMethodOptions& options, const Progress& progress) {
+	requireValid(options);
 	requireOpenPatches(assembly);
 	requireOrientablePatches(assembly);
-	requireSensible(options);
 	return detail::LocalOptimizer(assembly, positions, options).run(positions, progress);
 }
 

@@ -39,7 +39,7 @@ LocalMethodReport LocalOptimizer::run(Positions& positions, const Progress& prog
 }
 
 bool LocalOptimizer::allDevelopable() const {
-	return state_.defects().cwiseAbs().maxCoeff() <= options_.angleTolerance;
+	return largestAngleDefect(state_.defects()) <= options_.angleTolerance;
 }
 
 void LocalOptimizer::fillTournament() {

@@ -63,11 +63,18 @@ public:
 	using Error::Error;
 };
 
-/// The mesh lacks an attribute that was asked for (texture coordinates, face colours, an original position).
+/// The mesh lacks an attribute that was asked for (texture coordinates, face colours, an original position),
+/// or its values are no numbers.
 class MissingAttribute : public Error {
 public:
 	using Error::Error;
 };
+
+/// \throws InvalidParameter  with that sentence, when an option is out of its range
+inline void requireOption(bool valid, const std::string& sentence) {
+	if (!valid)
+		throw InvalidParameter(sentence);
+}
 
 /// "1 triangle has", "3 triangles have": so that messages with numbers read well.
 inline std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {

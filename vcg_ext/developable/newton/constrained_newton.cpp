@@ -14,16 +14,12 @@ using namespace detail;
 constexpr double shareOfAllTogether = 0.7;
 
 void requireValid(const ConstrainedNewtonOptions& options) {
-	const auto require = [](bool valid, const std::string& what) {
-		if (!valid)
-			throw InvalidParameter(what);
-	};
-	require(options.curvatureTolerance > 0, "The curvature tolerance must be greater than 0.");
-	require(options.angleTolerance > 0, "The angle tolerance must be greater than 0.");
-	require(options.maxIterations >= 0, "The limit of iterations must not be negative.");
-	require(options.smoothness > 0 && options.smoothness <= 1,
-			"The smoothness must be greater than 0 and at most 1.");
-	require(options.memoryLimit >= 0, "The limit of memory must not be negative.");
+	requireOption(options.curvatureTolerance > 0, "The curvature tolerance must be greater than 0.");
+	requireOption(options.angleTolerance > 0, "The angle tolerance must be greater than 0.");
+	requireOption(options.maxIterations >= 0, "The limit of iterations must not be negative.");
+	requireOption(options.smoothness > 0 && options.smoothness <= 1,
+				  "The smoothness must be greater than 0 and at most 1.");
+	requireOption(options.memoryLimit >= 0, "The limit of memory must not be negative.");
 }
 
 /// All patches together; then, where that is stuck, those that need no cut without the others.

@@ -59,7 +59,7 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 	const auto begin = std::chrono::steady_clock::now();
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-	const NewtonOutcome coarseOutcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, coarseShare));
+	NewtonOutcome coarseOutcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, coarseShare));
 	if (coarseOutcome.ending == Ending::Stopped)
 		return coarseOutcome;
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;

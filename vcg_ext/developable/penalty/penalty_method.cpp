@@ -21,16 +21,23 @@ std::string removedShare(double now, double start) {
 	return text;
 }
 
+void requireValid(const PenaltyMethodOptions& options) {
+	requireOption(options.angleTolerance >= 0, "The angle tolerance must not be negative.");
+	requireOption(options.relativeChange >= 0, "The relative change must not be negative.");
+	requireOption(options.maxIterations >= 0, "The limit of iterations must not be negative.");
+}
+
 } // namespace
 
 OptimizationReport penaltyMethod(const PatchAssembly& assembly, Positions& positions,
 								 const PenaltyMethodOptions& options, const Progress& progress) {
 	constexpr int conjugateGradientSteps = 5; // as the paper has it
+	requireValid(options);
 	requireOpenPatches(assembly);
 	OptimizationReport report;
 	Eigen::VectorXd defects = angleDefects(assembly, positions);
 	const double start = detectFunction(defects);
-	const auto developable = [&] { return defects.cwiseAbs().maxCoeff() <= options.angleTolerance; };
+	const auto developable = [&] { return largestAngleDefect(defects) <= options.angleTolerance; };
 	if (start == 0 || developable())
 		return report;
 	requireFreePlaces(assembly);
@@ -57,7 +64,8 @@ OptimizationReport penaltyMethod(const PatchAssembly& assembly, Positions& posit
 			report.status = Status::Converged;
 			break;
 		}
-		if (std::abs(now - before) / start < options.relativeChange) {
+		// What is not a number has not changed enough either.
+		if (!(std::abs(now - before) / start >= options.relativeChange)) {
 			report.status = Status::Stalled;
 			break;
 		}

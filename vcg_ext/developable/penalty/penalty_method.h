@@ -21,6 +21,7 @@ struct PenaltyMethodOptions {
 /// \param progress   is told the share of the outer steps that is done, and may ask for a stop
 /// \return           how the run ended, and after how many outer steps
 /// \throws ClosedPatch, NothingFree
+/// \throws InvalidParameter  when an option is out of its range
 OptimizationReport penaltyMethod(const PatchAssembly& assembly, Positions& positions,
 								 const PenaltyMethodOptions& options, const Progress& progress = {});
 

@@ -7,7 +7,9 @@
 
 #include <vcg/complex/complex.h>
 
+#include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -31,6 +33,16 @@ template <class FaceType>
 auto colourKey(const FaceType& face) {
 	const auto& colour = face.cC();
 	return std::make_tuple(colour[0], colour[1], colour[2], colour[3]);
+}
+
+/// \param whole  says of a face whether what its label is made of are numbers: others equal nothing
+template <class MeshType, class Condition>
+void requireNumbers(const MeshType& mesh, const Condition& whole, const std::string& what) {
+	std::size_t invalid = 0;
+	for (const auto& face : mesh.face)
+		invalid += !face.IsD() && !whole(face);
+	if (invalid > 0)
+		throw MissingAttribute(counted(invalid, "face has ", "faces have ") + what);
 }
 
 /// The labels of a mesh's corners, which say where its seams are (see TriangleMesh::cornerLabel).
@@ -57,6 +69,15 @@ std::vector<int> cornerLabels(const MeshType& mesh, SeamKind seams) {
 		if (!vcg::tri::HasPerWedgeTexCoord(mesh))
 			throw MissingAttribute("The mesh has no texture coordinates per face corner to tell patches by: "
 								   "parameterize it, or choose other patches.");
+		requireNumbers(
+			mesh,
+			[](const auto& face) {
+				bool whole = true;
+				for (int corner = 0; corner < 3; ++corner)
+					whole &= !std::isnan(face.cWT(corner).U()) && !std::isnan(face.cWT(corner).V());
+				return whole;
+			},
+			"texture coordinates that are not numbers: parameterize the mesh anew, or do without them.");
 		append([label = Labels<std::tuple<double, double, int>>()](const auto& face, int corner) mutable {
 			const auto& texture = face.cWT(corner);
 			return label(std::make_tuple(double(texture.U()), double(texture.V()), int(texture.N())));
@@ -66,6 +87,9 @@ std::vector<int> cornerLabels(const MeshType& mesh, SeamKind seams) {
 		if (!vcg::tri::HasPerFaceQuality(mesh))
 			throw MissingAttribute(
 				"The mesh has no face quality to tell patches by: compute one, or choose other patches.");
+		requireNumbers(
+			mesh, [](const auto& face) { return !std::isnan(face.cQ()); },
+			"a quality that is not a number: compute it anew, or choose other patches.");
 		append(
 			[label = Labels<double>()](const auto& face, int) mutable { return label(double(face.cQ())); });
 		break;
@@ -77,7 +101,7 @@ std::vector<int> cornerLabels(const MeshType& mesh, SeamKind seams) {
 
 /// Reads a vcg mesh of any scalar into arrays. Deleted vertices keep their column; deleted faces are left
 /// out.
-/// \throws MissingAttribute  when the mesh lacks what the seams are told by
+/// \throws MissingAttribute  when the mesh lacks what the seams are told by, or has no numbers there
 template <class MeshType>
 TriangleMesh readTriangles(const MeshType& mesh, SeamKind seams = SeamKind::ConnectedComponents) {
 	TriangleMesh result;
