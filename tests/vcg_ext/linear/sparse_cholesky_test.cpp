@@ -69,7 +69,7 @@ TEST(SparseCholesky, EstimatesTheMemoryOfTheFactor) {
 	for (const int side : {10, 20, 40}) {
 		const SparseMatrix lower = plate(side);
 		const double perRow = SparseCholesky().analyze(lower) / static_cast<double>(lower.rows());
-		EXPECT_GT(perRow, 8.0 * static_cast<double>(lower.nonZeros() / lower.rows()));
+		EXPECT_GT(perRow, 8.0 * static_cast<double>(lower.nonZeros()) / static_cast<double>(lower.rows()));
 		EXPECT_LT(perRow, 12.0 * static_cast<double>(lower.rows())); // a full triangle takes half of it
 		EXPECT_GT(perRow, before);
 		before = perRow;
