@@ -35,7 +35,12 @@ def host(request):
     """A host's name, its programs built."""
     name = request.param
     folder = BUILD / "gui" / name
-    options = [f"-DDEVELOPABLE_HOST={name}", f"-DDEVELOPABLE_HOST_LIBRARY={host_library(name)}"]
+    library = BUILD / "library" / "vcg_ext" / "libdevelopable.a"
+    options = [
+        f"-DDEVELOPABLE_HOST={name}",
+        f"-DDEVELOPABLE_HOST_LIBRARY={host_library(name)}",
+        f"-DDEVELOPABLE_LIBRARY={library}",
+    ]
     checked(["cmake", "-G", "Ninja", "-S", HERE, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", *options])
     checked(["cmake", "--build", folder])
     return name

@@ -2,8 +2,11 @@
 // principal_curvatures.cpp: hands the patches to vcglib's estimator of curvatures.
 #include "principal_curvatures.h"
 
-#include <vcg/complex/algorithms/update/curvature_fitting.h>
+// vcglib 2020.09 forgets to include <set>, and that its estimator needs the complex.
+#include <set>
 #include <vcg/complex/complex.h>
+
+#include <vcg/complex/algorithms/update/curvature_fitting.h>
 
 #include <algorithm>
 #include <cmath>
