@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <new>
 #include <set>
@@ -142,6 +143,11 @@ int main(int argc, char** argv) {
 		return 2;
 	}
 	constexpr long anHour = 3600;
-	return developable::fuzz::fuzz(std::atol(argv[1]), std::atol(argv[2]),
-								   argc == 4 ? std::atol(argv[3]) : 24 * anHour);
+	try {
+		return developable::fuzz::fuzz(std::atol(argv[1]), std::atol(argv[2]),
+									   argc == 4 ? std::atol(argv[3]) : 24 * anHour);
+	} catch (const std::exception& error) {
+		std::cerr << error.what() << '\n';
+		return 1;
+	}
 }

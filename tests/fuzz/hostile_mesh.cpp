@@ -238,6 +238,7 @@ void spoilCoordinates(Random& random, Positions& positions) {
 std::vector<int> randomLabels(Random& random, int triangles) {
 	const bool perTriangle = random.chance(0.7);
 	std::vector<int> labels;
+	labels.reserve(3 * static_cast<std::size_t>(triangles));
 	for (int corner = 0; corner < 3 * triangles; ++corner)
 		labels.push_back(perTriangle && corner % 3 > 0 ? labels.back() : random.below(2));
 	return labels;
