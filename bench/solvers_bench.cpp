@@ -73,13 +73,20 @@ void writeOff(const std::string& path, const Positions& positions, const Eigen::
 		file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
 
-/// \param changes  of tuning constants, each a name and a factor
+/// \param changes  of tuning constants and of the smoothness, each a name and a factor; and of the fairness, a value
 ConstrainedNewtonOptions tuned(const std::vector<std::string>& changes) {
 	ConstrainedNewtonOptions options;
-	for (std::size_t i = 0; i + 1 < changes.size(); i += 2)
+	for (std::size_t i = 0; i + 1 < changes.size(); i += 2) {
+		if (changes[i] == "smoothness")
+			options.smoothness *= std::stod(changes[i + 1]);
+		if (changes[i] == "curvatureTolerance")
+			options.curvatureTolerance *= std::stod(changes[i + 1]);
+		if (changes[i] == "fairness")
+			options.fairness = std::stod(changes[i + 1]);
 		for (const TuningConstant& constant : tuningConstants())
 			if (constant.name == changes[i])
 				constant.set(options.tuning, std::stod(changes[i + 1]) * constant.value(options.tuning));
+	}
 	return options;
 }
 

@@ -4,6 +4,7 @@
 #include "../shared_parameters.h"
 #include "filters.h"
 
+#include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
 #include "developable/penalty/penalty_method.h"
 
@@ -39,6 +40,7 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.curvatureTolerance = values.number("curvature_tolerance");
 	options.maxIterations = values.integer("max_iterations");
 	options.smoothness = values.number("smoothness");
+	options.fairness = values.number("fairness");
 	return constrainedNewton(assembly, positions, options, progress);
 }
 
@@ -49,7 +51,10 @@ Results run(FilterCall& call) {
 		return newton ? runConstrainedNewton(values, assembly, positions, progress)
 					  : runConjugateGradient(values, assembly, positions, progress);
 	};
-	return optimizeLayer(call, method).results;
+	Optimized optimized = optimizeLayer(call, method);
+	optimized.results.push_back(
+		{"max_border_angle", borderAngles(optimized.assembly, optimized.positions).maxCoeff(), ""});
+	return optimized.results;
 }
 
 /// A parameter that only one solver looks at.
@@ -96,6 +101,11 @@ std::vector<Parameter> parameters() {
 					"smoothness", ConstrainedNewtonOptions().smoothness, {0, true, 1}, "", "Smoothness",
 					"how much weight bending has against distance; larger values give fewer wrinkles. "
 					"They also move the surface more.")),
+		onlyFor(Solver::ConstrainedNewton,
+				floatParameter(
+					"fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
+					"how much of the surface's own detail is smoothed away: bumps that are shorter than this share of "
+					"the panel's size. At 0 the surface keeps its detail.")),
 		mapParameter(),
 		colorizeParameter(),
 	};

@@ -76,6 +76,13 @@ GLOBAL = Filter(
             "Constrained Newton only: how much weight bending has against distance; larger values give fewer wrinkles.",
         ),
         Parameter(
+            "fairness",
+            Number(maximum=1),
+            0.0,
+            "",
+            "Constrained Newton only: how much of the surface's own detail is smoothed away: bumps that are shorter than this share of the panel's size.",
+        ),
+        Parameter(
             "map",
             Choice(
                 (

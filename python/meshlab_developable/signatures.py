@@ -89,6 +89,7 @@ def make_developable(
     max_iterations: int = 200,
     relative_change: float = 0.0001,
     smoothness: float = 3e-06,
+    fairness: float = 0.0,
     map: Literal[
         "Gaussian map",
         "Angle defect",
@@ -140,6 +141,8 @@ def make_developable(
             less than this share of its first value.
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
             against distance; larger values give fewer wrinkles.
+        fairness (≤ 1; only for 'global'): Constrained Newton only: how much of the surface's own detail is
+            smoothed away: bumps that are shorter than this share of the panel's size.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
         max_displacement (length; only for 'local'): How far a vertex may move along its original normal; -1

@@ -40,7 +40,7 @@ TEST(NewtonTuning, IsWhatTheMethodGoesBy) {
 	options.tuning.firstEpsilon = 4;
 	EXPECT_EQ(constrainedNewton(assembly, other, options).status, Status::Converged);
 	EXPECT_NE(usual, other);
-	EXPECT_LT((usual - other).cwiseAbs().maxCoeff(), 0.02);
+	EXPECT_LT((usual - other).cwiseAbs().maxCoeff(), 0.05);
 }
 
 } // namespace

@@ -23,6 +23,23 @@ Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& pos
 	return defects;
 }
 
+Eigen::VectorXd borderAngles(const PatchAssembly& assembly, const Positions& positions) {
+	Eigen::VectorXd angles = Eigen::VectorXd::Zero(assembly.copyCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		for (int i = assembly.cornerStart[copy]; !assembly.copyInterior[copy] && i < assembly.cornerStart[copy + 1];
+			 ++i) {
+			const int corner = assembly.corners[i];
+			angles[copy] += triangleFrame(positions, assembly.trianglePlaces.col(triangleOf(corner)))
+								.angle(cornerInTriangle(corner));
+		}
+	return angles;
+}
+
+Eigen::VectorXd flatDefects(const PatchAssembly& assembly, const Positions& positions) {
+	return angleDefects(assembly, positions) +
+		   (2 * pi - borderAngles(assembly, positions).array()).min(0).matrix();
+}
+
 double detectFunction(const Eigen::VectorXd& defects) {
 	return defects.squaredNorm();
 }

@@ -14,6 +14,13 @@ Eigen::Matrix3Xd cornerCotangents(const PatchAssembly& assembly, const Positions
 /// \return           per copy, rad; not a number where a triangle has no area
 Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& positions);
 
+/// The angles of a patch at every copy on its boundary, added up, rad; 0 inside.
+Eigen::VectorXd borderAngles(const PatchAssembly& assembly, const Positions& positions);
+
+/// What keeps the patches from lying flat: the angle defects inside, and on the boundary 2π minus the angles where
+/// these add up to more than 2π, for there a patch would overlap itself; rad.
+Eigen::VectorXd flatDefects(const PatchAssembly& assembly, const Positions& positions);
+
 /// The detect function G = Σ g² (Eq. 4), rad².
 double detectFunction(const Eigen::VectorXd& defects);
 

@@ -2,6 +2,8 @@
 // vertex_normals.cpp: normals of triangles, and their averages.
 #include "vertex_normals.h"
 
+#include "corner_geometry.h"
+
 #include <Eigen/Geometry>
 
 namespace developable {
@@ -23,6 +25,13 @@ Eigen::Matrix3Xd areaNormals(const PatchAssembly& assembly, const Positions& pos
 		const Eigen::Vector3d b = positions.col(places[2]) - positions.col(places[0]);
 		normals.col(t) = (assembly.triangleReversed[t] ? -1 : 1) * a.cross(b);
 	}
+	return normals;
+}
+
+Eigen::Matrix3Xd unitNormals(const PatchAssembly& assembly, const Positions& positions) {
+	Eigen::Matrix3Xd normals(3, assembly.triangleCount());
+	for (int t = 0; t < assembly.triangleCount(); ++t)
+		normals.col(t) = triangleFrame(positions, assembly.trianglePlaces.col(t)).normal.normalized();
 	return normals;
 }
 

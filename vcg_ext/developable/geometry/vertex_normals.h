@@ -10,7 +10,11 @@ namespace developable {
 /// 3 x triangles.
 Eigen::Matrix3Xd areaNormals(const PatchAssembly& assembly, const Positions& positions);
 
-/// The same of length 1.
+/// Normal of every triangle of length 1, to the side from which its own corners run counter-clockwise; 3 x
+/// triangles.
+Eigen::Matrix3Xd unitNormals(const PatchAssembly& assembly, const Positions& positions);
+
+/// The areaNormals of length 1.
 Eigen::Matrix3Xd triangleNormals(const PatchAssembly& assembly, const Positions& positions);
 
 /// The average of the unit normals of the triangles round each copy, of length 1, or 0 where they cancel out;

@@ -3,6 +3,11 @@
 #include "bending_metric.h"
 
 #include "developable/geometry/geometry.h"
+#include "fitted_hessian.h"
+#include "rods.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace developable::detail {
 
@@ -31,12 +36,14 @@ Eigen::VectorXd placeMasses(const PatchAssembly& assembly) {
 }
 
 BendingMatrix::BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses,
-							 const Eigen::VectorXd& smoothness)
-	: assembly_(assembly), cotangents_(cornerCotangents(assembly, assembly.originalPositions)) {
-	entries_.reserve(assembly.placeCount() + 10 * static_cast<std::size_t>(assembly.edgeCount()));
+							 const Eigen::VectorXd& smoothness, double rods)
+	: assembly_(assembly), areas_(triangleAreas(assembly, assembly.originalPositions)) {
+	entries_.reserve(assembly.placeCount() + 21 * static_cast<std::size_t>(assembly.triangleCount()));
 	for (int place = 0; place < assembly.placeCount(); ++place)
 		entries_.emplace_back(place, place, masses[place]);
-	addHinges(smoothness);
+	addPlates(smoothness);
+	if (rods > 0)
+		addRods(smoothness, rods);
 }
 
 SparseMatrix BendingMatrix::lower() const {
@@ -45,43 +52,38 @@ SparseMatrix BendingMatrix::lower() const {
 	return result;
 }
 
-void BendingMatrix::addHinges(const Eigen::VectorXd& smoothness) {
-	const Eigen::VectorXd areas = triangleAreas(assembly_, assembly_.originalPositions);
-	const double area = areas.sum();
+void BendingMatrix::addPlates(const Eigen::VectorXd& smoothness) {
 	Eigen::VectorXd patchArea = Eigen::VectorXd::Zero(assembly_.patchCount());
 	for (int t = 0; t < assembly_.triangleCount(); ++t)
-		patchArea[assembly_.patchOfTriangle[t]] += areas[t];
-	for (const int halfEdge : assembly_.edgeHalfEdge) {
-		const int across = assembly_.across(halfEdge);
-		if (across < 0)
-			continue;
-		const int patch = assembly_.patchOfTriangle[triangleOf(halfEdge)];
-		addHinge(halfEdge, across,
-				 smoothness[patch] * patchArea[patch] * patchArea[patch] /
-					 (area * (areas[triangleOf(halfEdge)] + areas[triangleOf(across)])));
+		patchArea[assembly_.patchOfTriangle[t]] += areas_[t];
+	const FittedHessian hessian(assembly_, areas_);
+	for (int t = 0; t < assembly_.triangleCount(); ++t) {
+		const int patch = assembly_.patchOfTriangle[t];
+		const TriangleBending bending = hessian.bending(t);
+		addSquares(bending.places, bending.rows,
+				   smoothness[patch] * patchArea[patch] * patchArea[patch] / areas_.sum());
 	}
 }
 
-void BendingMatrix::addHinge(int halfEdge, int across, double weight) {
-	// Of each of the two triangles: the corners at the edge's ends, then the one opposite to it.
-	int places[2][3];
-	double cotangent[2][2];
-	for (int side = 0; side < 2; ++side) {
-		int corner = side ? across : halfEdge;
-		for (int i = 0; i < 3; ++i, corner = nextCorner(corner)) {
-			places[side][i] = assembly_.placeAt(corner);
-			if (i < 2)
-				cotangent[side][i] = cotangents_.data()[corner];
-		}
+void BendingMatrix::addRods(const Eigen::VectorXd& smoothness, double rods) {
+	const Eigen::VectorXd partArea = partAreas(assembly_, areas_);
+	Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(assembly_.placeCount()); // β
+	for (int copy = 0; copy < assembly_.copyCount(); ++copy) {
+		double& ofPlace = stiffness[assembly_.placeOfCopy[copy]];
+		ofPlace = std::max(ofPlace, rods * smoothness[assembly_.patchOfCopy[copy]]);
 	}
-	const int same = places[0][0] == places[1][0] ? 0 : 1; // the second's corner at the first's first end
-	const int place[4] = {places[0][0], places[0][1], places[0][2], places[1][2]};
-	const double slope[4] = {cotangent[0][1] + cotangent[1][1 - same], cotangent[0][0] + cotangent[1][same],
-							 -cotangent[0][0] - cotangent[0][1], -cotangent[1][0] - cotangent[1][1]};
-	for (int i = 0; i < 4; ++i)
-		for (int j = 0; j < 4; ++j)
-			if (place[i] >= place[j] && !assembly_.placeFixed[place[i]] && !assembly_.placeFixed[place[j]])
-				entries_.emplace_back(place[i], place[j], weight * slope[i] * slope[j]);
+	for (const RodJoint& joint : rodJoints(assembly_, {}))
+		addSquares({joint.begin(), joint.end()}, rodBending(assembly_, joint).transpose(),
+				   stiffness[joint[1]] * std::pow(partArea[joint[1]], 2.5) / areas_.sum());
+}
+
+template <class Rows>
+void BendingMatrix::addSquares(const std::vector<int>& places, const Rows& rows, double weight) {
+	for (std::size_t i = 0; i < places.size(); ++i)
+		for (std::size_t j = 0; j < places.size(); ++j)
+			if (places[i] >= places[j] && !assembly_.placeFixed[places[i]] &&
+				!assembly_.placeFixed[places[j]])
+				entries_.emplace_back(places[i], places[j], weight * rows.col(i).dot(rows.col(j)));
 }
 
 BendingMetric::BendingMetric(const PatchAssembly& assembly, const NewtonTuning& tuning, double memoryLimit)
@@ -89,7 +91,7 @@ BendingMetric::BendingMetric(const PatchAssembly& assembly, const NewtonTuning& 
 	  factorization_(memoryLimit, exactIteration) {}
 
 void BendingMetric::setSmoothness(const Eigen::VectorXd& smoothness) {
-	lower_ = BendingMatrix(assembly_, placeMass_, smoothness).lower();
+	lower_ = BendingMatrix(assembly_, placeMass_, smoothness, tuning_.borderStiffness).lower();
 	diagonal_ = lower_.diagonal();
 	stiffness_ = Eigen::VectorXd::Zero(assembly_.triangleCount());
 }
@@ -125,6 +127,20 @@ Positions BendingMetric::solve(const Positions& force) const {
 
 double BendingMetric::squaredNorm(const Positions& displacement) const {
 	return displacement.cwiseProduct(apply(displacement)).sum();
+}
+
+Positions BendingMetric::bendingForce(const Positions& positions, double smoothness) const {
+	PatchAssembly free = assembly_;
+	free.placeFixed.assign(free.placeCount(), 0);
+	const SparseMatrix bending = BendingMatrix(free, Eigen::VectorXd::Zero(free.placeCount()),
+											   Eigen::VectorXd::Constant(free.patchCount(), smoothness),
+											   tuning_.borderStiffness)
+									 .lower();
+	Positions force = (bending.selfadjointView<Eigen::Lower>() * positions.transpose()).transpose();
+	for (int place = 0; place < free.placeCount(); ++place)
+		if (assembly_.placeFixed[place])
+			force.col(place).setZero();
+	return force;
 }
 
 void BendingMetric::addSpring(int i, int j, double stiffness) {

@@ -14,30 +14,32 @@ Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& po
 /// m_q, the share that each place has of the whole area: a third of the triangles round it.
 Eigen::VectorXd placeMasses(const PatchAssembly& assembly);
 
-/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_e α A_p² |K_e d|² /
-/// (A_1 + A_2)) / A: e is a hinge (an inner edge of a patch with its two triangles of area A_1 and A_2), K_e
-/// d the jump across it of the displacement's slope times its length (Bergou et al. 2006, A Quadratic Bending
-/// Model for Inextensible Surfaces, Section 3), A_p the patch's area and A that of all patches. The second
-/// sum tends to α A_p² ∫|d''|², so α is a number without unit and means the same on a model of any size and
-/// tessellation. Folding along a seam costs nothing. Rows of places that are held still are those of a
-/// diagonal matrix.
+/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_p α A_p² ∫_p |d''|²) / A:
+/// A_p is the area of patch p, A that of all patches, and the integral that of FittedHessian. So α is a number
+/// without unit and means the same on a model of any size and tessellation. Rows of places that are held still
+/// are those of a diagonal matrix.
 class BendingMatrix {
 public:
 	/// \param masses      m_q / A, per place
 	/// \param smoothness  α, per patch
+	/// \param rods        β / α; 0: no rods
 	BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses,
-				  const Eigen::VectorXd& smoothness);
+				  const Eigen::VectorXd& smoothness, double rods);
 
 	/// Its lower triangle.
 	SparseMatrix lower() const;
 
 private:
-	void addHinges(const Eigen::VectorXd& smoothness);
+	void addPlates(const Eigen::VectorXd& smoothness);
 
-	void addHinge(int halfEdge, int across, double weight);
+	void addRods(const Eigen::VectorXd& smoothness, double rods);
+
+	/// Adds the squared norm of weight · rows · (values at the places).
+	template <class Rows>
+	void addSquares(const std::vector<int>& places, const Rows& rows, double weight);
 
 	const PatchAssembly& assembly_;
-	const Eigen::Matrix3Xd cotangents_;
+	const Eigen::VectorXd areas_; // of the triangles
 	std::vector<Eigen::Triplet<double>> entries_;
 };
 
@@ -77,6 +79,9 @@ public:
 	Positions solve(const Positions& force) const;
 
 	double squaredNorm(const Positions& displacement) const;
+
+	/// φ B x, B being what of W / α is bending, of places held still, too; 0 at those themselves.
+	Positions bendingForce(const Positions& positions, double smoothness) const;
 
 private:
 	/// Adds stiffness · |d_i − d_j|² for two places of a triangle, of which held ones have d = 0. The matrix

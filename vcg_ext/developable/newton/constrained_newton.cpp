@@ -19,6 +19,7 @@ void requireValid(const ConstrainedNewtonOptions& options) {
 	requireOption(options.maxIterations >= 0, "The limit of iterations must not be negative.");
 	requireOption(options.smoothness > 0 && options.smoothness <= 1,
 				  "The smoothness must be greater than 0 and at most 1.");
+	requireOption(options.fairness >= 0 && options.fairness <= 1, "The fairness must be between 0 and 1.");
 	requireOption(options.memoryLimit >= 0, "The limit of memory must not be negative.");
 }
 
@@ -30,7 +31,7 @@ NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start, const
 	NewtonOutcome outcome = strategy.solve(assembly, start, partOf(progress, 0, share));
 	if (outcome.ending == Ending::Stopped)
 		return outcome;
-	if (!better(assembly, angleDefects(assembly, outcome.positions), angleDefects(assembly, start)))
+	if (!better(assembly, flatDefects(assembly, outcome.positions), flatDefects(assembly, start)))
 		outcome.positions = start;
 	if (outcome.ending != Ending::Stuck || !mayFreeze)
 		return outcome;
@@ -73,7 +74,7 @@ void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects
 /// How many patches need a cut, and where.
 void describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions, const CurvatureGoal& goal,
 					   ConstrainedNewtonReport& report) {
-	const auto unmet = goal.unmetPatches(assembly, angleDefects(assembly, positions));
+	const auto unmet = goal.unmetPatches(assembly, flatDefects(assembly, positions));
 	const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
 	report.reason = Reason::NeedsCut;
 	report.patchesNeedingCut = static_cast<int>(unmet.count());
@@ -89,12 +90,12 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 	requireFreePlaces(assembly);
 	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance};
 	ConstrainedNewtonReport report;
-	const Eigen::VectorXd defects = angleDefects(assembly, positions);
+	const Eigen::VectorXd defects = flatDefects(assembly, positions);
 	if (goal.reached(assembly, defects)) {
 		describeShape(assembly, defects, report);
 		return report;
 	}
-	const NewtonStrategy strategy(options.smoothness, goal, options.maxIterations, options.memoryLimit,
+	const NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations, options.memoryLimit,
 								  options.tuning);
 	const NewtonOutcome outcome = solve(assembly, positions, strategy, neverBack(progress));
 	report.status = statusOf(outcome.ending, assembly);
@@ -103,7 +104,7 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 	if (report.status == Status::Stopped)
 		return report;
 	positions = outcome.positions;
-	describeShape(assembly, angleDefects(assembly, positions), report);
+	describeShape(assembly, flatDefects(assembly, positions), report);
 	if (report.status == Status::NeedsCut)
 		describeNeedOfCut(assembly, positions, goal, report);
 	if (outcome.ending == Ending::Unsolvable)

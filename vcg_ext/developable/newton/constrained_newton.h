@@ -14,6 +14,8 @@ struct ConstrainedNewtonOptions {
 	/// Weight α of bending against distance, without unit (see detail::BendingMetric). Larger: fewer
 	/// wrinkles, and the surface moves more.
 	double smoothness = 3e-6;
+	/// How much the shape's own bending counts, 0 to 1. 0: the surface keeps its own detail.
+	double fairness = 0;
 	/// Bytes that the factor of a linear system may take; more is solved by iteration. 0: what the machine
 	/// has.
 	double memoryLimit = 0;

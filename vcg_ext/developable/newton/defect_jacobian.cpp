@@ -9,24 +9,35 @@
 
 namespace developable::detail {
 
-DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::VectorXd& placeMass)
-	: assembly_(assembly), rowOfCopy_(assembly.copyCount(), -1) {
-	const Eigen::VectorXd areas = copyAreas(assembly, assembly.originalPositions);
-	const double area = areas.sum();
+DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::VectorXd& placeMass,
+							   double borderTurn)
+	: assembly_(assembly), turns_(assembly, borderTurn), rowOfCopy_(assembly.copyCount(), -1) {
+	std::vector<char> hasRow = assembly.copyInterior;
+	for (const int copy : copiesNearOverlap(assembly))
+		hasRow[copy] = 1;
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		if (assembly.copyInterior[copy]) {
+		if (hasRow[copy]) {
 			rowOfCopy_[copy] = static_cast<int>(copyOfRow_.size());
 			copyOfRow_.push_back(copy);
 		}
+	const Eigen::VectorXd areas = copyAreas(assembly, assembly.originalPositions);
 	rowScale_.resize(rowCount());
-	for (int row = 0; row < rowCount(); ++row)
-		rowScale_[row] = std::sqrt(area / areas[copyOfRow_[row]]);
+	for (int row = 0; row < copyRows(); ++row)
+		rowScale_[row] = std::sqrt(areas.sum() / areas[copyOfRow_[row]]);
+	for (int row = copyRows(); row < rowCount(); ++row)
+		rowScale_[row] = 1 / std::sqrt(placeMass[turns_.joints()[row - copyRows()][1]]);
 	inverseMass_ = placeMass.cwiseInverse();
 	findBlocks();
 }
 
-Eigen::VectorXd DefectJacobian::scaled(const Eigen::VectorXd& defects) const {
-	return defects(copyOfRow_).cwiseProduct(rowScale_);
+Eigen::VectorXd DefectJacobian::scaled(const Eigen::VectorXd& defects, const Positions& positions) const {
+	Eigen::VectorXd result(rowCount());
+	result.head(copyRows()) = defects(copyOfRow_);
+	if (bordersFree_)
+		result.tail(rowCount() - copyRows()).setZero();
+	else
+		result.tail(rowCount() - copyRows()) = -turns_.excess(positions);
+	return result.cwiseProduct(rowScale_);
 }
 
 void DefectJacobian::linearize(const Positions& positions) {
@@ -34,14 +45,58 @@ void DefectJacobian::linearize(const Positions& positions) {
 	for (int t = 0; t < assembly_.triangleCount(); ++t) {
 		const AngleGradients angles(triangleFrame(positions, assembly_.trianglePlaces.col(t)));
 		for (int corner = 0; corner < 3; ++corner)
-			for (int vertex = 0; vertex < 3; ++vertex) {
-				const int block = blockOf_[9 * t + 3 * corner + vertex];
-				if (block >= 0)
-					blocks_.col(block) -= angles.of(corner, vertex);
-			}
+			for (int vertex = 0; vertex < 3; ++vertex)
+				addToBlock(9 * t + 3 * corner + vertex, -angles.of(corner, vertex));
 	}
+	scaleCopyRows(positions);
+	foreseen_.clear();
+	turnLimited_.assign(turns_.joints().size(), 0);
+	if (bordersFree_)
+		return;
+	const Eigen::VectorXd excess = turns_.excess(positions);
+	for (int joint = 0; joint < excess.size(); ++joint)
+		if (excess[joint] > 0)
+			addTurn(joint, turns_.axis(joint, positions), positions);
+}
+
+bool DefectJacobian::foresee(const Positions& positions, const Positions& end) {
+	const std::size_t before = foreseen_.size();
+	if (bordersFree_)
+		return false;
+	const Eigen::VectorXd excess = turns_.excess(end);
+	for (int joint = 0; joint < excess.size(); ++joint) {
+		if (turnLimited_[joint] || excess[joint] <= 0)
+			continue;
+		const Eigen::Vector3d axis = turns_.axis(joint, end);
+		const int row = copyRows() + joint;
+		foreseen_.emplace_back(row, -rowScale_[row] * turns_.excessAbout(axis, joint, positions));
+		addTurn(joint, axis, positions);
+	}
+	return foreseen_.size() > before;
+}
+
+Eigen::VectorXd DefectJacobian::linearResidual(Eigen::VectorXd scaled) const {
+	for (const auto& [row, residual] : foreseen_)
+		scaled[row] = residual;
+	return scaled;
+}
+
+void DefectJacobian::addTurn(int joint, const Eigen::Vector3d& axis, const Positions& positions) {
+	turnLimited_[joint] = 1;
+	const Eigen::Matrix3d gradient = turns_.gradientAbout(axis, joint, positions);
+	for (int end = 0; end < 3; ++end)
+		addToBlock(useOfTurn(joint, end), -rowScale_[copyRows() + joint] * gradient.col(end));
+}
+
+/// Copies on the boundary whose angles add up to no more than 2π have no derivative.
+void DefectJacobian::scaleCopyRows(const Positions& positions) {
+	Eigen::VectorXd factors = rowScale_;
+	const Eigen::VectorXd angles = borderAngles(assembly_, positions);
+	for (int row = 0; row < copyRows(); ++row)
+		if (!assembly_.copyInterior[copyOfRow_[row]] && angles[copyOfRow_[row]] <= 2 * pi)
+			factors[row] = 0;
 	for (int block = 0; block < blocks_.cols(); ++block)
-		blocks_.col(block) *= rowScale_[rowOfBlock_[block]];
+		blocks_.col(block) *= factors[rowOfBlock_[block]];
 }
 
 Eigen::VectorXd DefectJacobian::apply(const Positions& displacement) const {
@@ -50,6 +105,13 @@ Eigen::VectorXd DefectJacobian::apply(const Positions& displacement) const {
 		for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
 			result[rowOfBlock_[block]] += blocks_.col(block).dot(displacement.col(place));
 	return result;
+}
+
+Eigen::VectorXd DefectJacobian::greatestChange(double farthest) const {
+	Eigen::VectorXd change = Eigen::VectorXd::Zero(rowCount());
+	for (int block = 0; block < blocks_.cols(); ++block)
+		change[rowOfBlock_[block]] += farthest * blocks_.col(block).norm();
+	return change;
 }
 
 Positions DefectJacobian::applyTransposed(const Eigen::VectorXd& multipliers) const {
@@ -93,7 +155,7 @@ void DefectJacobian::findBlocks() {
 	});
 	const Groups byPlace = grouped(assembly_.placeCount(), static_cast<int>(uses.size()),
 								   [&](int use) { return placeOfUse[use]; });
-	blockOf_.assign(9 * static_cast<std::size_t>(assembly_.triangleCount()), -1);
+	blockOf_.assign(9 * static_cast<std::size_t>(assembly_.triangleCount()) + 3 * turns_.joints().size(), -1);
 	blockStart_.assign(1, 0);
 	rowOfBlock_.reserve(uses.size() / 2);
 	for (int place = 0; place < assembly_.placeCount(); ++place) {

@@ -2,6 +2,7 @@
 // defect_jacobian.h: how the angle defects of all inner copies change when the places move.
 #pragma once
 
+#include "border_limits.h"
 #include "developable/linear/linear.h"
 #include "developable/mesh/mesh.h"
 
@@ -9,23 +10,41 @@ namespace developable::detail {
 
 /// The inner copies' angle defects g, each divided by the square root of its share of the area, so that their
 /// squares add up to A ∫K² dA on any tessellation (A: the area of the whole object), and their derivative J.
+/// Borders have rows, too, which are 0 with their derivatives unless a limit is exceeded: copies whose angles add up to
+/// more than 2π, by which they do, and borders that turn by more than they may (see BorderTurns).
 /// Places that are held still count as constants. Kept by place: each has one block of three numbers for
 /// every copy whose angle defect depends on it.
 class DefectJacobian {
 public:
-	/// \param placeMass  share of the whole area that each place has
-	DefectJacobian(const PatchAssembly& assembly, const Eigen::VectorXd& placeMass);
+	/// \param placeMass   share of the whole area that each place has
+	/// \param borderTurn  that a border may turn by more than in the original, rad
+	DefectJacobian(const PatchAssembly& assembly, const Eigen::VectorXd& placeMass, double borderTurn);
 
-	int rowCount() const { return static_cast<int>(copyOfRow_.size()); }
+	/// Whether borders may turn as they like from now on.
+	void freeBorders(bool free) { bordersFree_ = free; }
 
-	/// The scaled defects, one row for each inner copy.
-	Eigen::VectorXd scaled(const Eigen::VectorXd& defects) const;
+	int rowCount() const { return copyRows() + static_cast<int>(turns_.joints().size()); }
+
+	/// What all rows have to become 0 of, scaled.
+	/// \param defects  flatDefects there
+	Eigen::VectorXd scaled(const Eigen::VectorXd& defects, const Positions& positions) const;
 
 	/// Moves on to the derivative at these positions.
 	void linearize(const Positions& positions);
 
+	/// Borders that turn no more than they may at the positions of the derivative, but would at the end of a step, get
+	/// their derivatives too: so a step ends at the limit. \return whether there are any new ones
+	bool foresee(const Positions& positions, const Positions& end);
+
+	/// The linearised rows at the positions of the derivative: as scaled() there, but how far they are from their limits
+	/// for borders that were foreseen.
+	Eigen::VectorXd linearResidual(Eigen::VectorXd scaled) const;
+
 	/// J d.
 	Eigen::VectorXd apply(const Positions& displacement) const;
+
+	/// What each row can change by at most when no place moves farther than this, to first and second order.
+	Eigen::VectorXd greatestChange(double farthest) const;
 
 	/// Jᵀ y.
 	Positions applyTransposed(const Eigen::VectorXd& multipliers) const;
@@ -49,7 +68,22 @@ private:
 					if (row >= 0 && !assembly_.placeFixed[place])
 						callback(9 * t + 3 * corner + vertex, row, place);
 				}
+		for (std::size_t i = 0; i < turns_.joints().size(); ++i)
+			for (int end = 0; end < 3; ++end)
+				if (!assembly_.placeFixed[turns_.joints()[i][end]])
+					callback(useOfTurn(i, end), copyRows() + static_cast<int>(i), turns_.joints()[i][end]);
 	}
+
+	int copyRows() const { return static_cast<int>(copyOfRow_.size()); }
+	int useOfTurn(int joint, int end) const { return 9 * assembly_.triangleCount() + 3 * joint + end; }
+	/// Adds to the block of a use, where it has one.
+	void addToBlock(int use, const Eigen::Vector3d& gradient) {
+		if (blockOf_[use] >= 0)
+			blocks_.col(blockOf_[use]) += gradient;
+	}
+	void scaleCopyRows(const Positions& positions);
+	/// The derivative of a turn about an axis.
+	void addTurn(int joint, const Eigen::Vector3d& axis, const Positions& positions);
 
 	/// Rows are sorted within each place, so that products of blocks lie in the lower triangle.
 	void findBlocks();
@@ -66,9 +100,13 @@ private:
 	}
 
 	const PatchAssembly& assembly_;
+	const BorderTurns turns_;
+	bool bordersFree_ = false;
+	std::vector<char> turnLimited_;                // per joint, whether it has its derivative
+	std::vector<std::pair<int, double>> foreseen_; // row, and how far it is from its limit, scaled
 	std::vector<int> rowOfCopy_, copyOfRow_;
 	Eigen::VectorXd rowScale_, inverseMass_;
-	std::vector<int> blockOf_;    // per triangle, corner and vertex: its block, or -1
+	std::vector<int> blockOf_;    // per triangle, corner and vertex, then per turn and place: its block, or -1
 	std::vector<int> blockStart_; // per place
 	std::vector<int> rowOfBlock_;
 	Eigen::Matrix3Xd blocks_;

@@ -7,7 +7,7 @@ namespace developable::detail {
 FrozenPanels::FrozenPanels(const PatchAssembly& assembly, const Positions& start,
 						   const NewtonStrategy& strategy, const Progress& progress)
 	: assembly_(assembly), start_(start), strategy_(strategy), progress_(progress),
-	  soundness_(assembly, strategy.tuning()), startDefects_(angleDefects(assembly, start)),
+	  soundness_(assembly, strategy.tuning()), startDefects_(flatDefects(assembly, start)),
 	  frozen_(Patches::Constant(assembly.patchCount(), false)) {}
 
 NewtonOutcome FrozenPanels::finishOthers(NewtonOutcome outcome) {
@@ -26,11 +26,11 @@ NewtonOutcome FrozenPanels::finishOthers(NewtonOutcome outcome) {
 }
 
 FrozenPanels::Patches FrozenPanels::unmet(const Positions& positions) const {
-	return strategy_.goal().unmetPatches(assembly_, angleDefects(assembly_, positions));
+	return strategy_.goal().unmetPatches(assembly_, flatDefects(assembly_, positions));
 }
 
 void FrozenPanels::freezeWorst(const Patches& candidates, const Positions& positions) {
-	const Eigen::ArrayXd curvature = patchCurvatures(assembly_, angleDefects(assembly_, positions));
+	const Eigen::ArrayXd curvature = patchCurvatures(assembly_, flatDefects(assembly_, positions));
 	int worst = 0;
 	candidates.select(curvature, -1).maxCoeff(&worst);
 	frozen_[worst] = true;
@@ -67,7 +67,7 @@ bool FrozenPanels::holdSeams(PartialAssembly& others) const {
 
 bool FrozenPanels::acceptable(const Positions& positions, const Positions& before) const {
 	return unmet(positions).count() < unmet(before).count() && soundness_.holds(positions) &&
-		   better(assembly_, angleDefects(assembly_, positions), startDefects_);
+		   better(assembly_, flatDefects(assembly_, positions), startDefects_);
 }
 
 } // namespace developable::detail

@@ -17,6 +17,11 @@ GaussNewton::GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens)
 double GaussNewton::step(double tau, double epsilon) {
 	problem_.jacobian().linearize(run_.shape().positions);
 	Positions whole = direction(tau, epsilon);
+	for (int i = 0; i < problem_.tuning().foresights && !stopped_; ++i) {
+		if (!problem_.jacobian().foresee(run_.shape().positions, run_.shape().positions + whole))
+			break;
+		whole = direction(tau, epsilon);
+	}
 	const int stiffenings = stiffens_ ? problem_.tuning().stiffenings : 0;
 	for (int i = 0; i < stiffenings && !stopped_; ++i) {
 		if (!problem_.stiffenFor(run_.shape().positions + whole))
@@ -39,7 +44,8 @@ double GaussNewton::step(double tau, double epsilon) {
 Positions GaussNewton::direction(double tau, double epsilon) {
 	const Positions displacement = problem_.displacement(run_.shape());
 	const DefectJacobian& jacobian = problem_.jacobian();
-	const Eigen::VectorXd rightHandSide = run_.shape().scaledDefects - tau * jacobian.apply(displacement);
+	const Eigen::VectorXd rightHandSide =
+		jacobian.linearResidual(run_.shape().scaledDefects) - tau * jacobian.apply(displacement);
 	stopped_ = !solver_.solve(rightHandSide, epsilon, multipliers_, [&] { return run_.mayGoOn(); });
 	if (stopped_)
 		return {};

@@ -9,6 +9,22 @@ namespace developable::detail {
 
 namespace {
 
+/// The same shape with next to nothing added along its normals, a wave round the place farthest from the middle. A
+/// symmetric shape has as many ways to become developable as it has symmetries; rounding would choose between them, late
+/// and differently for every order of the vertices.
+Positions withoutSymmetry(const NewtonProblem& problem, const Positions& start) {
+	int farthest = 0;
+	(start.colwise() - start.rowwise().mean()).colwise().squaredNorm().maxCoeff(&farthest);
+	const Eigen::RowVectorXd distances = (start.colwise() - Eigen::Vector3d(start.col(farthest))).colwise().norm();
+	const Eigen::RowVectorXd wave = problem.tuning().symmetryBreaking * problem.diagonal() *
+									(problem.tuning().symmetryWaves * 2 * pi / problem.diagonal() * distances).array().cos();
+	Positions moved = start + placeNormals(problem.assembly(), start) * wave.asDiagonal();
+	for (int place = 0; place < moved.cols(); ++place)
+		if (problem.assembly().placeFixed[place])
+			moved.col(place) = start.col(place);
+	return problem.soundness().holds(moved) ? moved : start;
+}
+
 /// A continuation and, where that has not reached g = 0 by itself, a restoration.
 Ending approach(NewtonProblem& problem, NewtonRun& run, bool stiffens) {
 	GaussNewton steps(problem, run, stiffens);
@@ -36,6 +52,21 @@ Progress progressOfAttempt(const Progress& progress, int attempt) {
 	return partOf(progress, begin, end);
 }
 
+/// The nearest developable shape whose borders don't kink, if that is soon found; else the start, stuck.
+NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, double smoothness,
+								int maxIterations, const Progress& progress) {
+	const int steps = std::min(maxIterations, problem.tuning().limitedSteps);
+	problem.setSmoothness(sameForAll(problem, smoothness));
+	problem.jacobian().freeBorders(false);
+	const Progress progressOfThis = progressOfAttempt(progress, 0);
+	NewtonRun run(problem, withoutSymmetry(problem, start), steps, progressOfThis);
+	Ending ending = nearOrStuck(approach(problem, run, false), run);
+	if (ending == Ending::OutOfSteps && steps < maxIterations)
+		ending = Ending::Stuck;
+	const bool moved = ending != Ending::Stuck && run.iterations() > 0;
+	return {ending, run.iterations(), moved ? run.nearest() : start, smoothness};
+}
+
 } // namespace
 
 NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double smoothness,
@@ -43,20 +74,22 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 	const PatchAssembly& assembly = problem.assembly();
 	const NewtonTuning& tuning = problem.tuning();
 	Eigen::VectorXd smoothnesses = sameForAll(problem, smoothness);
-	Eigen::VectorXd leastDefects = angleDefects(assembly, start);
-	NewtonOutcome best;
-	best.positions = start;
+	Eigen::VectorXd leastDefects = flatDefects(assembly, start);
+	NewtonOutcome best = attemptWithLimits(problem, start, smoothness, maxIterations, progress);
+	if (best.ending != Ending::Stuck)
+		return best;
+	problem.jacobian().freeBorders(true);
 	for (int attempt = 0; attempt < tuning.attempts; ++attempt) {
 		problem.setSmoothness(smoothnesses);
-		const Progress progressOfThis = progressOfAttempt(progress, attempt);
-		NewtonRun run(problem, start, maxIterations - best.iterations, progressOfThis);
+		const Progress progressOfThis = progressOfAttempt(progress, attempt + 1);
+		NewtonRun run(problem, withoutSymmetry(problem, start), maxIterations - best.iterations, progressOfThis);
 		best.ending = nearOrStuck(approach(problem, run, attempt > 0), run);
 		best.iterations += run.iterations();
 		if (best.ending == Ending::OutOfSteps && attempt > 0) // the attempts before had ended by themselves
 			best.ending = Ending::Stuck;
 		if (best.ending == Ending::Stopped)
 			break;
-		const Eigen::VectorXd defects = angleDefects(assembly, run.nearest());
+		const Eigen::VectorXd defects = flatDefects(assembly, run.nearest());
 		// A little less curvature is not worth the greater distance of a second attempt.
 		if (better(assembly, defects, leastDefects, attempt == 0 ? 1 : tuning.worthwhile)) {
 			leastDefects = defects;
@@ -76,6 +109,7 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,
 						  int maxIterations, const Progress& progress) {
 	problem.setSmoothness(sameForAll(problem, smoothness));
+	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, start, maxIterations, progress);
 	GaussNewton steps(problem, run, true);
 	Ending ending = Ending::Unsolvable;

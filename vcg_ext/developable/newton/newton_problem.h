@@ -24,12 +24,20 @@ struct Shape {
 class NewtonProblem {
 public:
 	/// \param memoryLimit  see SparseSolver
+	/// \param fairness     the shape's own bending counts, too: ‖x − x0‖²_W + φ ‖x‖²_B is to be least, B being what of
+	///                     W / α is bending. Up to a constant this is ‖x − x*‖² with φ added to α, and x* is the
+	///                     original with waves smoothed away that are shorter than the fairness times the root of their
+	///                     patch's area
+	/// \param smoothness   α at first
 	NewtonProblem(const PatchAssembly& assembly, const CurvatureGoal& goal, const NewtonTuning& tuning,
-				  double memoryLimit);
+				  double memoryLimit, double fairness = 0, double smoothness = 0);
 
 	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, per patch
 	void setSmoothness(const Eigen::VectorXd& smoothness);
+
+	/// x*, what the shape is to be near: the original unless there is a fairness.
+	const Positions& aim() const { return aim_; }
 
 	Shape shapeAt(const Positions& positions) const;
 
@@ -38,7 +46,8 @@ public:
 	double farthest() const { return tuning_.farthest * diagonal_; }
 	double farthestReached() const { return tuning_.farthestReached * diagonal_; }
 
-	Positions displacement(const Shape& shape) const { return shape.positions - assembly_.originalPositions; }
+	/// From what the shape is to be near.
+	Positions displacement(const Shape& shape) const { return shape.positions - aim_; }
 
 	/// Where a step would spoil triangles they are made stiffer. \return whether there are any
 	bool stiffenFor(const Positions& positions);
@@ -54,6 +63,8 @@ public:
 	const Soundness& soundness() const { return soundness_; }
 
 private:
+	Positions smoothed(double smoothness);
+
 	const PatchAssembly& assembly_;
 	const CurvatureGoal goal_;
 	const NewtonTuning tuning_;
@@ -61,6 +72,8 @@ private:
 	BendingMetric metric_;
 	DefectJacobian jacobian_;
 	Soundness soundness_;
+	double shapeSmoothness_; // φ
+	Positions aim_;          // x*
 };
 
 } // namespace developable::detail

@@ -5,6 +5,7 @@
 #include "coarsening.h"
 #include "normal_steps.h"
 #include "prolongation.h"
+#include "shortest_steps.h"
 
 #include <chrono>
 
@@ -36,49 +37,79 @@ std::string announce(const PatchAssembly& assembly, double seconds) {
 
 } // namespace
 
-NewtonStrategy::NewtonStrategy(double smoothness, const CurvatureGoal& goal, int maxIterations,
+NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal, int maxIterations,
 							   double memoryLimit, const NewtonTuning& tuning)
-	: smoothness_(smoothness), goal_(goal), maxIterations_(maxIterations), memoryLimit_(memoryLimit),
+	: smoothness_(smoothness), fairness_(fairness), goal_(goal), maxIterations_(maxIterations), memoryLimit_(memoryLimit),
 	  tuning_(tuning) {}
-
-NewtonProblem NewtonStrategy::problemOf(const PatchAssembly& assembly) const {
-	return {assembly, goal_, tuning_, memoryLimit_};
-}
 
 NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positions& start,
 									const Progress& progress) const {
+	if (fairness_ == 0) {
+		NewtonOutcome outcome = solveShortest(assembly, start, progress);
+		if (outcome.ending != Ending::Stuck)
+			return outcome;
+	}
+	return solveLevel({assembly, 1}, start, progress);
+}
+
+NewtonOutcome NewtonStrategy::solveShortest(const PatchAssembly& assembly, const Positions& start,
+											const Progress& progress) const {
+	NewtonProblem problem = problemOf({assembly, 1});
+	problem.jacobian().freeBorders(true);
+	NewtonRun run(problem, start, maxIterations_, progress);
+	const Ending ending = ShortestSteps(problem, run).run();
+	return {ending, run.iterations(), run.shape().positions, smoothness_};
+}
+
+/// A border may turn at one vertex by so much more as edges are longer.
+NewtonProblem NewtonStrategy::problemOf(const Level& level) const {
+	NewtonTuning tuning = tuning_;
+	tuning.borderTurn *= level.coarseness;
+	return {level.assembly, goal_, tuning, memoryLimit_, fairness_, smoothness_};
+}
+
+Positions NewtonStrategy::aimOf(const Level& level) const {
+	return fairness_ > 0 ? problemOf(level).aim() : level.assembly.originalPositions;
+}
+
+NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& start,
+										 const Progress& progress) const {
+	const PatchAssembly& assembly = level.assembly;
 	const int places = assembly.placeCount();
 	if (places <= tuning_.coarsest)
-		return solveCoarsest(assembly, start, progress);
+		return solveCoarsest(level, start, progress);
 	const PartialAssembly coarse =
 		Coarsening(assembly, tuning_)
 			.coarsen(std::max(tuning_.coarsest, static_cast<int>(places / tuning_.levelRatio)));
 	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)
-		return solveCoarsest(assembly, start, progress);
+		return solveCoarsest(level, start, progress);
+	const double sizes = double(places) / coarse.assembly.placeCount();
+	const Level coarseLevel{coarse.assembly, level.coarseness * std::sqrt(sizes)};
 
 	const auto begin = std::chrono::steady_clock::now();
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-	NewtonOutcome coarseOutcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, coarseShare));
+	NewtonOutcome coarseOutcome = solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
 	if (coarseOutcome.ending == Ending::Stopped)
 		return coarseOutcome;
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-	const double sizes = double(places) / coarse.assembly.placeCount();
 	const std::string announcement = announce(assembly, taken.count() * std::pow(sizes, growth));
-	const Positions displacement = prolonged(
-		assembly, coarse, coarseOutcome.positions - coarse.assembly.originalPositions, tuning_, memoryLimit_);
-	return refine(assembly, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
+	const Positions displacement =
+		prolonged(assembly, coarse, coarseOutcome.positions - aimOf(coarseLevel), tuning_, memoryLimit_);
+	return refine(level, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
 }
 
 /// Where held places leave no way to g = 0, steps along the normals go on to the least squares of it.
-NewtonOutcome NewtonStrategy::solveCoarsest(const PatchAssembly& assembly, const Positions& start,
+NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
 											const Progress& progress) const {
-	NewtonProblem problem = problemOf(assembly);
+	const PatchAssembly& assembly = level.assembly;
+	NewtonProblem problem = problemOf(level);
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
 	if (outcome.ending != Ending::Stuck || !holdsPlaces(assembly) || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
+	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
 	const Ending ending = NormalSteps(problem, run, problem.farthest()).run();
 	outcome.iterations += run.iterations();
@@ -90,11 +121,14 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const PatchAssembly& assembly, const
 }
 
 /// \param displacement  of the places, from the coarser level
-NewtonOutcome NewtonStrategy::refine(const PatchAssembly& assembly, const Positions& displacement,
+NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displacement,
 									 const NewtonOutcome& coarse, const Progress& progress) const {
-	NewtonProblem problem = problemOf(assembly);
+	const PatchAssembly& assembly = level.assembly;
+	NewtonProblem problem = problemOf(level);
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
-	NewtonRun run(problem, soundStart(problem, displacement), maxIterations_, progress);
+	problem.jacobian().freeBorders(true);
+	const Positions moved = problem.aim() + displacement - assembly.originalPositions;
+	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
 	// With a coarse solution at hand what is left to do is little; without one, more may do harm.
 	const bool solved = coarse.ending == Ending::Reached;
 	const double farthest = solved ? problem.diagonal() : std::max(problem.farthest(), run.shape().farthest);

@@ -13,7 +13,8 @@ namespace developable::detail {
 class NewtonStrategy {
 public:
 	/// \param memoryLimit  see SparseSolver
-	NewtonStrategy(double smoothness, const CurvatureGoal& goal, int maxIterations, double memoryLimit,
+	/// \param fairness     see NewtonProblem::setFairness
+	NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal, int maxIterations, double memoryLimit,
 				   const NewtonTuning& tuning);
 
 	const CurvatureGoal& goal() const { return goal_; }
@@ -24,13 +25,22 @@ public:
 						const Progress& progress) const;
 
 private:
-	NewtonProblem problemOf(const PatchAssembly& assembly) const;
-	NewtonOutcome solveCoarsest(const PatchAssembly& assembly, const Positions& start,
-								const Progress& progress) const;
-	NewtonOutcome refine(const PatchAssembly& assembly, const Positions& displacement,
-						 const NewtonOutcome& coarse, const Progress& progress) const;
+	struct Level {
+		const PatchAssembly& assembly;
+		double coarseness; ///< edges are so many times as long as on the finest level
+	};
 
-	const double smoothness_;
+	NewtonProblem problemOf(const Level& level) const;
+	/// What the shape is to be near, see NewtonProblem::aim.
+	Positions aimOf(const Level& level) const;
+	/// What is developable but for rounding needs no more than that. Stuck where it is not.
+	NewtonOutcome solveShortest(const PatchAssembly& assembly, const Positions& start, const Progress& progress) const;
+	NewtonOutcome solveLevel(const Level& level, const Positions& start, const Progress& progress) const;
+	NewtonOutcome solveCoarsest(const Level& level, const Positions& start, const Progress& progress) const;
+	NewtonOutcome refine(const Level& level, const Positions& displacement, const NewtonOutcome& coarse,
+						 const Progress& progress) const;
+
+	const double smoothness_, fairness_;
 	const CurvatureGoal goal_;
 	const int maxIterations_;
 	const double memoryLimit_;

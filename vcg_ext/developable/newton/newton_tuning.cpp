@@ -20,6 +20,10 @@ void TuningConstant::set(NewtonTuning& tuning, double value) const {
 
 const std::vector<TuningConstant>& tuningConstants() {
 	static const std::vector<TuningConstant> constants = {
+		{"borderStiffness", &NewtonTuning::borderStiffness},
+		{"borderTurn", &NewtonTuning::borderTurn},
+		{"limitedSteps", &NewtonTuning::limitedSteps},
+		{"foresights", &NewtonTuning::foresights},
 		{"firstEpsilon", &NewtonTuning::firstEpsilon},
 		{"leastEpsilon", &NewtonTuning::leastEpsilon},
 		{"epsilonDecrease", &NewtonTuning::epsilonDecrease},
@@ -34,6 +38,9 @@ const std::vector<TuningConstant>& tuningConstants() {
 		{"restorationIncrease", &NewtonTuning::restorationIncrease},
 		{"restorationRetry", &NewtonTuning::restorationRetry},
 		{"restorationShortStep", &NewtonTuning::restorationShortStep},
+		{"shortestMove", &NewtonTuning::shortestMove},
+		{"shortestSteps", &NewtonTuning::shortestSteps},
+		{"shortestDamping", &NewtonTuning::shortestDamping},
 		{"firstDamping", &NewtonTuning::firstDamping},
 		{"chords", &NewtonTuning::chords},
 		{"chordShare", &NewtonTuning::chordShare},
@@ -64,6 +71,8 @@ const std::vector<TuningConstant>& tuningConstants() {
 		{"sliverMargin", &NewtonTuning::sliverMargin},
 		{"farthest", &NewtonTuning::farthest},
 		{"farthestReached", &NewtonTuning::farthestReached},
+		{"symmetryBreaking", &NewtonTuning::symmetryBreaking},
+		{"symmetryWaves", &NewtonTuning::symmetryWaves},
 		{"attempts", &NewtonTuning::attempts},
 		{"smoothnessIncrease", &NewtonTuning::smoothnessIncrease},
 		{"worthwhile", &NewtonTuning::worthwhile},

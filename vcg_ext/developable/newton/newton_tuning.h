@@ -13,6 +13,12 @@ namespace developable {
 
 /// Shares and factors have no unit. Every constant is named in tuningConstants().
 struct NewtonTuning {
+	// The metric.
+	double borderStiffness = 0.3; ///< β / α: how dear it is to bend a border beside bending the surface
+	double borderTurn = 4.8;     ///< degrees that a border may turn by more than before
+	int limitedSteps = 60;      ///< until borders may turn as they like
+	int foresights = 2;         ///< in a step: times that limits are added which it would exceed
+
 	// Continuation in ε: from the original to where next to nothing of the curvature is left.
 	double firstEpsilon = 0.25; ///< share of the greatest response of g to a force: begins near the original
 	double leastEpsilon = 4e-5; ///< share of the first: below it, rounding makes the systems' solutions
@@ -30,6 +36,11 @@ struct NewtonTuning {
 	double restorationIncrease = 4;   ///< of ε after a short step
 	double restorationRetry = 16;     ///< of ε when no step was any good
 	double restorationShortStep = 0.25; ///< length below which a step is short
+
+	// Shortest steps, for what is developable but for rounding.
+	double shortestMove = 1e-3;    ///< share of the shortest edge that a place may move by
+	int shortestSteps = 30;        ///< until that is given up
+	double shortestDamping = 1e-3; ///< of the first, share of the mean diagonal of J M⁻¹ Jᵀ
 
 	// Steps along the normals.
 	double firstDamping = 0.01;      ///< share of ‖N u‖²_W in the trace of the first system
@@ -70,6 +81,10 @@ struct NewtonTuning {
 	double sliverMargin = 1.01;    ///< for what rounding to the host's scalar may take away
 	double farthest = 0.2;         ///< share of the diagonal that a place may go on the way
 	double farthestReached = 0.22; ///< and in a developable shape
+
+	// A start without symmetry.
+	double symmetryBreaking = 1e-4; ///< share of the diagonal
+	double symmetryWaves = 0.7;     ///< in a diagonal
 
 	// Attempts with more smoothness.
 	int attempts = 5;

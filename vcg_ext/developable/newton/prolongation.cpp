@@ -18,7 +18,7 @@ Positions prolonged(const PatchAssembly& fine, const PartialAssembly& coarse,
 	const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(
 		fine.patchCount(), tuning.prolongationBending / (double(coarseCount) * coarseCount));
 	SparseSolver solver(memoryLimit);
-	if (!solver.factorize(BendingMatrix(fine, masses, smoothness).lower()))
+	if (!solver.factorize(BendingMatrix(fine, masses, smoothness, 0).lower()))
 		return Positions::Zero(3, fine.placeCount());
 	return solver.solve(Eigen::MatrixXd(pull)).transpose();
 }

@@ -10,13 +10,6 @@ namespace {
 
 constexpr double flipCosine = -0.5; ///< of the angle between neighbours' normals beyond which one is flipped
 
-Eigen::Matrix3Xd unitNormals(const PatchAssembly& assembly, const Positions& positions) {
-	Eigen::Matrix3Xd normals(3, assembly.triangleCount());
-	for (int t = 0; t < assembly.triangleCount(); ++t)
-		normals.col(t) = triangleFrame(positions, assembly.trianglePlaces.col(t)).normal.normalized();
-	return normals;
-}
-
 } // namespace
 
 Soundness::Soundness(const PatchAssembly& assembly, const NewtonTuning& tuning)

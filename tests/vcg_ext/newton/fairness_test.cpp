@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/rods.h"
+#include "developable/newton/shortest_steps.h"
+#include "newton_problems.h"
+
+#include <random>
+
+namespace developable::test {
+namespace {
+
+/// The most that a border turns more than before at one vertex, rad; every border vertex counts, corners too.
+double mostTurnGained(const PatchAssembly& assembly, const Positions& positions) {
+	const detail::BorderTurns turns(assembly, 0);
+	return turns.excess(positions).maxCoeff();
+}
+
+TEST(Fairness, BordersDoNotKink) {
+	for (const Surface& surface : {Surface(sphereCap(1)), Surface(bumpedCylinder), Surface(wave), Surface(vamp)}) {
+		const PatchAssembly assembly = assembled(jitteredGrid(21, 21, surface));
+		Positions positions = assembly.originalPositions;
+		ASSERT_EQ(constrainedNewton(assembly, positions, {}).status, Status::Converged);
+		EXPECT_LT(mostTurnGained(assembly, positions), 5 * pi / 180);
+	}
+}
+
+TEST(Fairness, ADartDoesNotOpenBeyondAFullTurn) {
+	// A saddle with a slit from the border to its middle: flat, more than a full turn is left round its tip.
+	TriangleMesh mesh = grid(15, 15, largeSaddle);
+	Positions positions(3, mesh.vertexCount() + 7);
+	positions << mesh.positions, mesh.positions.middleCols(7 * 15, 7);
+	for (int t = 0; t < mesh.triangleCount(); ++t) // those above the slit get vertices of their own
+		for (int corner = 0; corner < 3; ++corner) {
+			const int vertex = mesh.triangles(corner, t);
+			if (t / 28 == 7 && vertex >= 7 * 15 && vertex < 7 * 15 + 7)
+				mesh.triangles(corner, t) = mesh.vertexCount() + vertex - 7 * 15;
+		}
+	for (int i = 0; i < 7; ++i) // a hair open, so that its sides are two
+		positions(1, mesh.vertexCount() + i) += 1e-3 * (7 - i);
+	const PatchAssembly assembly = assembled(makeMesh(positions, mesh.triangles));
+	Positions shape = assembly.originalPositions;
+	ASSERT_EQ(constrainedNewton(assembly, shape, {}).status, Status::Converged);
+	EXPECT_LE(borderAngles(assembly, shape).maxCoeff(), 2 * pi + 1e-4);
+}
+
+TEST(Fairness, WhatIsDevelopableButForRoundingHardlyMoves) {
+	for (const Surface& surface : {Surface(coneBand), Surface(quarterCylinder), Surface(flatSheet)}) {
+		TriangleMesh mesh = grid(31, 31, surface);
+		const Positions exact = mesh.positions;
+		mesh.positions = exact.cast<float>().cast<double>();
+		const double rounding = (mesh.positions - exact).cwiseAbs().maxCoeff();
+		const PatchAssembly assembly = assembled(mesh);
+		Positions positions = assembly.originalPositions;
+		ConstrainedNewtonOptions options;
+		options.curvatureTolerance = 1e-6;
+		constrainedNewton(assembly, positions, options);
+		EXPECT_LT(angleDefects(assembly, positions).cwiseAbs().sum(), 1e-6);
+		EXPECT_LE((positions - mesh.positions).cwiseAbs().maxCoeff(), 100 * rounding);
+	}
+}
+
+TEST(Fairness, ShortestStepsLeaveAloneWhatNeedsMore) {
+	const PatchAssembly assembly = assembled(jitteredGrid(11, 11, saddle));
+	detail::NewtonProblem problem = problemOf(assembly);
+	const Progress silent;
+	detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+	EXPECT_EQ(detail::ShortestSteps(problem, run).run(), detail::Ending::Stuck);
+	EXPECT_EQ(run.shape().positions, assembly.originalPositions);
+}
+
+/// x² − y² over squares with alternating diagonals, vertices in another order for each seed.
+TriangleMesh symmetricSaddle(int seed) {
+	const int n = 21;
+	TriangleMesh mesh =
+		grid(n, n, [](double u, double v) { return Eigen::Vector3d(u, v, 0.2 * (std::pow(u - 0.5, 2) - std::pow(v - 0.5, 2))); });
+	for (int cell = 0; cell < (n - 1) * (n - 1); ++cell)
+		if ((cell % (n - 1) + cell / (n - 1)) % 2 == 1) {
+			const int a = cell / (n - 1) * n + cell % (n - 1);
+			mesh.triangles.col(2 * cell) << a, a + 1, a + n;
+			mesh.triangles.col(2 * cell + 1) << a + 1, a + n + 1, a + n;
+		}
+	std::vector<int> order(n * n);
+	for (int i = 0; i < n * n; ++i)
+		order[i] = i;
+	std::mt19937 random(seed);
+	for (int i = n * n - 1; i > 0; --i)
+		std::swap(order[i], order[random() % (i + 1)]);
+	Positions positions(3, n * n);
+	for (int i = 0; i < n * n; ++i)
+		positions.col(order[i]) = mesh.positions.col(i);
+	for (int& vertex : mesh.triangles.reshaped())
+		vertex = order[vertex];
+	return makeMesh(positions, mesh.triangles);
+}
+
+TEST(Fairness, TheOrderOfVerticesDecidesNothingOnASymmetricShape) {
+	double least = 1e300, most = 0;
+	for (int seed = 0; seed < 10; ++seed) {
+		const PatchAssembly assembly = assembled(symmetricSaddle(seed));
+		Positions positions = assembly.originalPositions;
+		ASSERT_EQ(constrainedNewton(assembly, positions, {}).status, Status::Converged);
+		least = std::min(least, meanDisplacement(assembly, positions));
+		most = std::max(most, meanDisplacement(assembly, positions));
+	}
+	EXPECT_LE(most, 1.05 * least);
+}
+
+TEST(Fairness, SmoothsTheSurfacesOwnDetail) {
+	const PatchAssembly assembly = assembled(noisy(jitteredGrid(25, 25, bumpedCylinder), 0.1));
+	double last = roughness(assembly, assembly.originalPositions);
+	for (const double fairness : {0.0, 0.2, 0.5}) {
+		Positions positions = assembly.originalPositions;
+		ConstrainedNewtonOptions options;
+		options.fairness = fairness;
+		ASSERT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+		EXPECT_LT(roughness(assembly, positions), (fairness > 0 ? 0.8 : 1.05) * last) << fairness;
+		last = roughness(assembly, positions);
+	}
+	ConstrainedNewtonOptions options;
+	options.fairness = 1.5;
+	Positions positions = assembly.originalPositions;
+	EXPECT_THROW(constrainedNewton(assembly, positions, options), InvalidParameter);
+	EXPECT_EQ(positions, assembly.originalPositions);
+}
+
+TEST(Fairness, AimsAtTheOriginalWithoutIt) {
+	const PatchAssembly assembly = assembled(jitteredGrid(9, 9, saddle));
+	EXPECT_EQ(detail::NewtonProblem(assembly, {1e-4, 1e-4}, {}, 0).aim(), assembly.originalPositions);
+	// A flat sheet is as smooth as it can be: bending does not pull at it.
+	const PatchAssembly sheet = assembled(jitteredGrid(9, 9, flatSheet));
+	const detail::NewtonProblem problem(sheet, {1e-4, 1e-4}, {}, 0, 0.5, 3e-6);
+	EXPECT_LT((problem.aim() - sheet.originalPositions).norm(), 1e-3);
+}
+
+} // namespace
+} // namespace developable::test
