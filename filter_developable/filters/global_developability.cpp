@@ -7,6 +7,9 @@
 #include "developable/newton/constrained_newton.h"
 #include "developable/penalty/penalty_method.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace developable::plugin {
 
 namespace {
@@ -21,6 +24,12 @@ std::vector<std::string> solverNames() {
 
 std::string nameOf(Solver solver) {
 	return solverNames()[std::size_t(solver)];
+}
+
+/// What users set for all programs that compute on several threads, as our batches do; 0: nothing.
+int threadsAskedFor() {
+	const char* asked = std::getenv("OMP_NUM_THREADS");
+	return asked != nullptr ? std::max(0, std::atoi(asked)) : 0;
 }
 
 OptimizationReport runConjugateGradient(const ParameterValues& values, const PatchAssembly& assembly,
@@ -39,6 +48,8 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.curvatureTolerance = values.number("curvature_tolerance");
 	options.maxIterations = values.integer("max_iterations");
 	options.smoothness = values.number("smoothness");
+	options.maxDisplacement = values.number("max_displacement");
+	options.threads = threadsAskedFor();
 	return constrainedNewton(assembly, positions, options, progress);
 }
 
@@ -96,7 +107,12 @@ std::vector<Parameter> parameters() {
 					"smoothness", ConstrainedNewtonOptions().smoothness, {0, true, 1}, "", "Smoothness",
 					"how much weight bending has against distance; larger values give fewer wrinkles. "
 					"They also move the surface more.")),
-		mapParameter(),
+		onlyFor(Solver::ConstrainedNewton,
+				automaticLength("max_displacement", "Largest displacement",
+								"no vertex ends farther than this from where it was; -1 means 15 % of the "
+								"diagonal of its part, that is of what shares vertices or is sewn together. Any "
+								"negative number means that.")),
+		mapParameter(Map::Displacement),
 		colorizeParameter(),
 	};
 }

@@ -105,6 +105,12 @@ void BendingMetric::stiffen(const std::vector<int>& triangles) {
 	}
 }
 
+void BendingMetric::weigh(const Eigen::VectorXd& masses) {
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		if (!assembly_.placeFixed[place])
+			lower_.coeffRef(place, place) += masses[place];
+}
+
 bool BendingMetric::tooStiff() const {
 	const auto stiff = (stiffness_.array() > 0).count();
 	return stiff > std::max<double>(tuning_.stiffTriangles,

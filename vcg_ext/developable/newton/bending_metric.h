@@ -57,6 +57,9 @@ public:
 	/// factorisation.
 	void stiffen(const std::vector<int>& triangles);
 
+	/// Makes places heavier: adds Σ_q mass_q |d_q|². Calls for another factorisation.
+	void weigh(const Eigen::VectorXd& masses);
+
 	/// Whether so many triangles are stiffer that they are no accidents of the triangulation: then the shape
 	/// itself needs a cut.
 	bool tooStiff() const;

@@ -4,26 +4,43 @@
 
 #include "continuation.h"
 #include "restoration.h"
+#include "return_within_bound.h"
 
 namespace developable::detail {
 
 namespace {
 
 /// A continuation and, where that has not reached g = 0 by itself, a restoration.
-Ending approach(NewtonProblem& problem, NewtonRun& run, bool stiffens) {
-	GaussNewton steps(problem, run, stiffens);
-	if (steps.unsolvable())
-		return Ending::Unsolvable;
-	Continuation continuation(problem, run, steps);
+Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, Continuation& continuation) {
 	const Ending ending = continuation.follow();
 	if (ending != Ending::Settled && ending != Ending::Stuck)
 		return ending;
 	return Restoration(problem, run, steps, continuation.epsilon()).restore();
 }
 
-/// A developable shape that is not near the original any more is none that was looked for.
-Ending nearOrStuck(Ending ending, const NewtonRun& run) {
-	return run.farOff() ? Ending::Stuck : ending;
+/// A developable shape that is farther away than places may go is none that was looked for: from there it may
+/// be near to one that is. What is tried then is no failure of what led there.
+/// \param nearest  becomes how far the nearest developable shape moves a place, where that is too far
+Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon,
+				   double& nearest) {
+	if (!run.farOff())
+		return ending;
+	ReturnWithinBound way(problem, run, steps, epsilon);
+	const Ending ofReturn = way.run();
+	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
+		return ofReturn;
+	nearest = nearest > 0 ? std::min(nearest, way.nearest()) : way.nearest();
+	return Ending::Stuck;
+}
+
+/// From the start to a developable shape within the bound on displacements.
+Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& nearest) {
+	GaussNewton steps(problem, run, stiffens);
+	if (steps.unsolvable())
+		return Ending::Unsolvable;
+	Continuation continuation(problem, run, steps);
+	const Ending ending = approach(problem, run, steps, continuation);
+	return withinBound(ending, problem, run, steps, continuation.leastEpsilon(), nearest);
 }
 
 Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
@@ -46,26 +63,27 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 	Eigen::VectorXd leastDefects = angleDefects(assembly, start);
 	NewtonOutcome best;
 	best.positions = start;
-	for (int attempt = 0; attempt < tuning.attempts; ++attempt) {
+	for (int i = 0; i < tuning.attempts; ++i) {
 		problem.setSmoothness(smoothnesses);
-		const Progress progressOfThis = progressOfAttempt(progress, attempt);
+		const Progress progressOfThis = progressOfAttempt(progress, i);
 		NewtonRun run(problem, start, maxIterations - best.iterations, progressOfThis);
-		best.ending = nearOrStuck(approach(problem, run, attempt > 0), run);
+		best.ending = attempt(problem, run, i > 0, best.nearestDevelopable);
 		best.iterations += run.iterations();
-		if (best.ending == Ending::OutOfSteps && attempt > 0) // the attempts before had ended by themselves
+		if (best.ending == Ending::OutOfSteps && i > 0) // the attempts before had ended by themselves
 			best.ending = Ending::Stuck;
 		if (best.ending == Ending::Stopped)
 			break;
 		const Eigen::VectorXd defects = angleDefects(assembly, run.nearest());
 		// A little less curvature is not worth the greater distance of a second attempt.
-		if (better(assembly, defects, leastDefects, attempt == 0 ? 1 : tuning.worthwhile)) {
+		if (better(assembly, defects, leastDefects, i == 0 ? 1 : tuning.worthwhile)) {
 			leastDefects = defects;
 			best.positions = run.nearest();
 			best.smoothness = smoothnesses.maxCoeff();
 		}
-		if (best.ending != Ending::Stuck || run.farOff()) // more smoothness leads farther still
+		if (best.ending != Ending::Stuck ||
+			best.nearestDevelopable > 0) // more smoothness leads farther still
 			break;
-		if (attempt > 0)
+		if (i > 0)
 			smoothnesses = problem.goal()
 							   .unmetPatches(assembly, defects)
 							   .select(tuning.smoothnessIncrease * smoothnesses, smoothnesses);
@@ -79,11 +97,13 @@ NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double
 	NewtonRun run(problem, start, maxIterations, progress);
 	GaussNewton steps(problem, run, true);
 	Ending ending = Ending::Unsolvable;
+	double nearest = 0;
 	if (!steps.unsolvable()) {
 		const double epsilon = Continuation(problem, run, steps).leastEpsilon();
 		ending = Restoration(problem, run, steps, epsilon).restore();
+		ending = withinBound(ending, problem, run, steps, epsilon, nearest);
 	}
-	return {nearOrStuck(ending, run), run.iterations(), run.nearest(), smoothness};
+	return {ending, run.iterations(), run.nearest(), smoothness, nearest};
 }
 
 } // namespace developable::detail

@@ -33,11 +33,6 @@ public:
 
 	Shape shapeAt(const Positions& positions) const;
 
-	/// How far a place may go on the way, and in a developable shape: further away it is not a shape near
-	/// the original any more. Length.
-	double farthest() const { return tuning_.farthest * diagonal_; }
-	double farthestReached() const { return tuning_.farthestReached * diagonal_; }
-
 	Positions displacement(const Shape& shape) const { return shape.positions - assembly_.originalPositions; }
 
 	/// Where a step would spoil triangles they are made stiffer. \return whether there are any

@@ -44,6 +44,7 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 	double length = 1;
 	for (int halving = 0; halving <= halvings; ++halving, length /= 2) {
 		Positions move = length * direction;
+		pullBack(move, farthest);
 		if (!problem_.soundness().spare(shape_.positions, move))
 			continue;
 		Shape next = problem_.shapeAt(shape_.positions + move);
@@ -55,13 +56,21 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 	return 0;
 }
 
-const Positions& NewtonRun::nearest() const {
-	return shape_.reached && endsNear() ? shape_.positions : lastNear_;
+void NewtonRun::pullBack(Positions& move, double farthest) const {
+	constexpr double margin = 1 - 1e-14; // for what rounding adds
+	const Positions& original = problem_.assembly().originalPositions;
+	for (int place = 0; place < move.cols(); ++place) {
+		const Eigen::Vector3d displacement =
+			shape_.positions.col(place) + move.col(place) - original.col(place);
+		const double distance = displacement.norm();
+		if (distance > farthest)
+			move.col(place) += (margin * farthest / distance - 1) * displacement;
+	}
 }
 
 void NewtonRun::moveTo(Shape shape) {
 	shape_ = std::move(shape);
-	if (shape_.farthest <= problem_.farthest())
+	if (isNear())
 		lastNear_ = shape_.positions;
 }
 

@@ -15,13 +15,16 @@ namespace {
 constexpr double coarseShare = 0.2; ///< of a level's work that the coarser levels are, as far as one can tell
 constexpr double growth = 1.2;      ///< time goes with this power of the number of places
 
-/// The whole displacement, or as much of it as leaves the triangles in order.
+/// The whole displacement, or as much of it as leaves the triangles in order and moves no place too far.
 Positions soundStart(const NewtonProblem& problem, const Positions& displacement) {
 	const Positions& original = problem.assembly().originalPositions;
-	double share = 1;
-	while (share > 1e-3 && !problem.soundness().holds(original + share * displacement))
-		share /= 2;
-	return original + share * displacement;
+	const double margin = 1 - 1e-12;
+	const double farthest = displacement.colwise().norm().maxCoeff();
+	double share = farthest > problem.goal().farthest ? margin * problem.goal().farthest / farthest : 1;
+	for (int halving = 0; halving < 10; ++halving, share /= 2)
+		if (problem.soundness().holds(original + share * displacement))
+			return original + share * displacement;
+	return original;
 }
 
 /// What is about to be done, and how long it may take.
@@ -70,17 +73,19 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 	return refine(assembly, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
 }
 
-/// Where held places leave no way to g = 0, steps along the normals go on to the least squares of it.
+/// Where held places, or the bound on displacements, leave no way to g = 0, steps along the normals go on to
+/// the least squares of it.
 NewtonOutcome NewtonStrategy::solveCoarsest(const PatchAssembly& assembly, const Positions& start,
 											const Progress& progress) const {
 	NewtonProblem problem = problemOf(assembly);
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
-	if (outcome.ending != Ending::Stuck || !holdsPlaces(assembly) || stepsLeft <= 0)
+	const bool hemmedIn = holdsPlaces(assembly) || outcome.nearestDevelopable > 0;
+	if (outcome.ending != Ending::Stuck || !hemmedIn || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
 	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
-	const Ending ending = NormalSteps(problem, run, problem.farthest()).run();
+	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	outcome.iterations += run.iterations();
 	outcome.positions = run.shape().positions;
 	// Least squares are approached slowly: to run out of steps there is no more than to be stuck.
@@ -97,15 +102,18 @@ NewtonOutcome NewtonStrategy::refine(const PatchAssembly& assembly, const Positi
 	NewtonRun run(problem, soundStart(problem, displacement), maxIterations_, progress);
 	// With a coarse solution at hand what is left to do is little; without one, more may do harm.
 	const bool solved = coarse.ending == Ending::Reached;
-	const double farthest = solved ? problem.diagonal() : std::max(problem.farthest(), run.shape().farthest);
-	const Ending ending = NormalSteps(problem, run, farthest).run();
-	NewtonOutcome outcome{ending, run.iterations(), run.shape().positions, coarse.smoothness};
+	const double farthest = solved ? problem.diagonal() : problem.goal().farthest;
+	Ending ending = NormalSteps(problem, run, farthest).run();
+	if (run.farOff())
+		ending = Ending::Stuck;
+	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.smoothness,
+						  coarse.nearestDevelopable};
 	if (ending != Ending::Stuck || !solved)
 		return outcome;
 	const NewtonOutcome restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
 	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
-			std::max(coarse.smoothness, restored.smoothness)};
+			std::max(coarse.smoothness, restored.smoothness), restored.nearestDevelopable};
 }
 
 } // namespace developable::detail

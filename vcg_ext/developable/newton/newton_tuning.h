@@ -65,11 +65,16 @@ struct NewtonTuning {
 	int stiffTriangles = 20;      ///< fewer are no sign of anything
 
 	// What counts as a sound shape near the original.
-	double sliverShare = 0.5;      ///< of the smallest angle of the original
-	double sliverAngle = 2;        ///< degrees; angles above it are no slivers in any case
-	double sliverMargin = 1.01;    ///< for what rounding to the host's scalar may take away
-	double farthest = 0.2;         ///< share of the diagonal that a place may go on the way
-	double farthestReached = 0.22; ///< and in a developable shape
+	double sliverShare = 0.5;   ///< of the smallest angle of the original
+	double sliverAngle = 2;     ///< degrees; angles above it are no slivers in any case
+	double sliverMargin = 1.01; ///< for what rounding to the host's scalar may take away
+
+	// Back to within the bound on displacements.
+	int returnRounds = 12;        ///< each with heavier places
+	int returnSteps = 8;          ///< of restoration in a round
+	double returnAim = 0.95;      ///< share of the bound beyond which places are made heavier
+	double returnReach = 3;       ///< of the bound: shapes farther away are given up
+	double returnProgress = 0.99; ///< share of the largest displacement that a round may leave
 
 	// Attempts with more smoothness.
 	int attempts = 5;

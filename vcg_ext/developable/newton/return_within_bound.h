@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// return_within_bound.h: from a developable shape that is too far away to one within the bound on
+// displacements.
+#pragma once
+
+#include "gauss_newton.h"
+
+namespace developable::detail {
+
+/// Goes on from a developable shape with a place farther away than it may be. Places beyond the bound, or
+/// nearly, are made heavier in the metric, the more so the farther they are, and steps with τ = 1 lead to
+/// where the distance is least now; so again and again. That is Lawson's way (1961) from least squares to the
+/// least of the largest.
+class ReturnWithinBound {
+public:
+	/// \param epsilon  of the steps: the least of the continuation
+	ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon);
+
+	/// \return Reached, with a shape within the bound; Stuck, with the run at any shape; OutOfSteps; Stopped;
+	///         Unsolvable
+	Ending run();
+
+	/// The least largest displacement of the developable shapes on the way, the first included; length.
+	double nearest() const { return nearest_; }
+
+private:
+	void makeFarPlacesHeavier();
+
+	/// One step to where the distance is less, then some that restore g = 0.
+	Ending round();
+	Ending step(double tau, double epsilon);
+
+	NewtonProblem& problem_;
+	NewtonRun& run_;
+	GaussNewton& steps_;
+	const double epsilon_;
+	Eigen::VectorXd masses_; ///< of the places, as they have become
+	double nearest_;
+};
+
+} // namespace developable::detail
