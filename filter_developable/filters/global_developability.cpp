@@ -48,7 +48,8 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.curvatureTolerance = values.number("curvature_tolerance");
 	options.maxIterations = values.integer("max_iterations");
 	options.smoothness = values.number("smoothness");
-	options.maxDisplacement = values.number("max_displacement");
+	// Hosts may have rounded to float what the user typed: stay below that.
+	options.maxDisplacement = values.number("max_displacement") * (1 - 1.2e-7);
 	options.threads = threadsAskedFor();
 	return constrainedNewton(assembly, positions, options, progress);
 }

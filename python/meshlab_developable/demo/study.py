@@ -13,6 +13,7 @@ import pymeshlab
 
 from meshlab_developable.errors import PatternError
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
+from meshlab_developable.panels import panel_reports
 from meshlab_developable.patterns import UNITS, PatternOptions, write_patterns
 from meshlab_developable.plugin import vertex_quality
 from meshlab_developable.rendering import Array, IndexArray, Picture, View, render, robust_scale
@@ -226,7 +227,7 @@ def _try(
     meshes.set_current_mesh(0)
     meshes.apply_filter("generate_copy_of_current_mesh")
     values = meshes.apply_filter(method.filter, angle_tolerance=angle_tolerance, **method.parameters)
-    report = OptimizationReport.from_values(values)
+    report = OptimizationReport.from_values(values, panel_reports(meshes.current_mesh()))
     file = folder / f"{source.name}_{method.name}.ply"
     maps = _maps(meshes, kinds, angle_tolerance)
     vertices = meshes.current_mesh().vertex_matrix()

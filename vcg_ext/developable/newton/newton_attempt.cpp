@@ -18,14 +18,14 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, Cont
 	return Restoration(problem, run, steps, continuation.epsilon()).restore();
 }
 
-/// A developable shape that is farther away than places may go is none that was looked for: from there it may
-/// be near to one that is. What is tried then is no failure of what led there.
+/// A developable shape that is farther away than places may go is none that was looked for, but there may be
+/// one near it that is.
 /// \param nearest  becomes how far the nearest developable shape moves a place, where that is too far
-Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon,
+Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussNewton& steps,
 				   double& nearest) {
 	if (!run.farOff())
 		return ending;
-	ReturnWithinBound way(problem, run, steps, epsilon);
+	ReturnWithinBound way(problem, run, steps);
 	const Ending ofReturn = way.run();
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
 		return ofReturn;
@@ -40,7 +40,7 @@ Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& ne
 		return Ending::Unsolvable;
 	Continuation continuation(problem, run, steps);
 	const Ending ending = approach(problem, run, steps, continuation);
-	return withinBound(ending, problem, run, steps, continuation.leastEpsilon(), nearest);
+	return withinBound(ending, problem, run, steps, nearest);
 }
 
 Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
@@ -95,15 +95,13 @@ NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double
 						  int maxIterations, const Progress& progress) {
 	problem.setSmoothness(sameForAll(problem, smoothness));
 	NewtonRun run(problem, start, maxIterations, progress);
-	GaussNewton steps(problem, run, true);
+	GaussNewton steps(problem, run, true, problem.goal().farthest);
 	Ending ending = Ending::Unsolvable;
-	double nearest = 0;
 	if (!steps.unsolvable()) {
 		const double epsilon = Continuation(problem, run, steps).leastEpsilon();
 		ending = Restoration(problem, run, steps, epsilon).restore();
-		ending = withinBound(ending, problem, run, steps, epsilon, nearest);
 	}
-	return {ending, run.iterations(), run.nearest(), smoothness, nearest};
+	return {ending, run.iterations(), run.nearest(), smoothness};
 }
 
 } // namespace developable::detail

@@ -21,7 +21,7 @@ std::string describeCurvature(double start, double left, int steps) {
 
 NewtonRun::NewtonRun(const NewtonProblem& problem, const Positions& start, int maxIterations,
 					 const Progress& progress)
-	: problem_(problem), progress_(progress), maxIterations_(maxIterations), lastNear_(start) {
+	: problem_(problem), progress_(progress), maxIterations_(maxIterations), start_(start), lastNear_(start) {
 	moveTo(problem.shapeAt(start));
 	startCurvature_ = shape_.curvature;
 }
@@ -57,14 +57,17 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 }
 
 void NewtonRun::pullBack(Positions& move, double farthest) const {
-	constexpr double margin = 1 - 1e-14; // for what rounding adds
 	const Positions& original = problem_.assembly().originalPositions;
 	for (int place = 0; place < move.cols(); ++place) {
 		const Eigen::Vector3d displacement =
 			shape_.positions.col(place) + move.col(place) - original.col(place);
 		const double distance = displacement.norm();
-		if (distance > farthest)
-			move.col(place) += (margin * farthest / distance - 1) * displacement;
+		if (!(distance > farthest))
+			continue;
+		// What rounding adds to a position stays below some last bits of its coordinates.
+		const double rounding =
+			8 * std::numeric_limits<double>::epsilon() * (original.col(place).norm() + farthest);
+		move.col(place) += (std::max(0.0, farthest - rounding) / distance - 1) * displacement;
 	}
 }
 

@@ -29,6 +29,9 @@ public:
 	int iterations() const { return iterations_; }
 	double startCurvature() const { return startCurvature_; }
 
+	/// Back to where it began; steps are counted on.
+	void restart() { moveTo(problem_.shapeAt(start_)); }
+
 	/// Counts a step. \return false when there have been as many as may be
 	bool takeStep();
 
@@ -66,6 +69,7 @@ private:
 	const int maxIterations_;
 	int iterations_ = 0;
 	Shape shape_;
+	const Positions start_;
 	Positions lastNear_;
 	double startCurvature_ = 0;
 };

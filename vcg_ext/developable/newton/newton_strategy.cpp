@@ -27,6 +27,17 @@ Positions soundStart(const NewtonProblem& problem, const Positions& displacement
 	return original;
 }
 
+/// Steps push places against the bound on displacements that others could go without: makes those heavy.
+/// \return whether there are any
+bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape) {
+	const Eigen::VectorXd distances = problem.displacement(shape).colwise().norm();
+	const double limit = problem.tuning().returnAim * problem.goal().farthest;
+	const Eigen::VectorXd more =
+		(distances.array() > limit).select(problem.tuning().heavyPlace * problem.metric().placeMass(), 0);
+	problem.metric().weigh(more);
+	return more.maxCoeff() > 0;
+}
+
 /// What is about to be done, and how long it may take.
 std::string announce(const PatchAssembly& assembly, double seconds) {
 	const std::string size = std::to_string(assembly.placeCount()) + " vertices";
@@ -48,6 +59,15 @@ NewtonProblem NewtonStrategy::problemOf(const PatchAssembly& assembly) const {
 	return {assembly, goal_, tuning_, memoryLimit_};
 }
 
+/// With less room to move, for what the finest level adds.
+NewtonStrategy NewtonStrategy::coarser() const {
+	NewtonStrategy result = *this;
+	if (!isCoarse_)
+		result.goal_.farthest *= tuning_.coarseRoom;
+	result.isCoarse_ = true;
+	return result;
+}
+
 NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positions& start,
 									const Progress& progress) const {
 	const int places = assembly.placeCount();
@@ -62,7 +82,8 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 	const auto begin = std::chrono::steady_clock::now();
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-	NewtonOutcome coarseOutcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, coarseShare));
+	NewtonOutcome coarseOutcome =
+		coarser().solve(coarse.assembly, coarseStart, partOf(progress, 0, coarseShare));
 	if (coarseOutcome.ending == Ending::Stopped)
 		return coarseOutcome;
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
@@ -100,12 +121,12 @@ NewtonOutcome NewtonStrategy::refine(const PatchAssembly& assembly, const Positi
 	NewtonProblem problem = problemOf(assembly);
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
 	NewtonRun run(problem, soundStart(problem, displacement), maxIterations_, progress);
-	// With a coarse solution at hand what is left to do is little; without one, more may do harm.
 	const bool solved = coarse.ending == Ending::Reached;
-	const double farthest = solved ? problem.diagonal() : problem.goal().farthest;
-	Ending ending = NormalSteps(problem, run, farthest).run();
-	if (run.farOff())
-		ending = Ending::Stuck;
+	Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
+	if (ending == Ending::Stuck && solved && weighPlacesAtBound(problem, run.shape())) {
+		run.restart();
+		ending = NormalSteps(problem, run, problem.goal().farthest).run();
+	}
 	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.smoothness,
 						  coarse.nearestDevelopable};
 	if (ending != Ending::Stuck || !solved)
@@ -113,7 +134,7 @@ NewtonOutcome NewtonStrategy::refine(const PatchAssembly& assembly, const Positi
 	const NewtonOutcome restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
 	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
-			std::max(coarse.smoothness, restored.smoothness), restored.nearestDevelopable};
+			std::max(coarse.smoothness, restored.smoothness), coarse.nearestDevelopable};
 }
 
 } // namespace developable::detail

@@ -25,16 +25,18 @@ public:
 
 private:
 	NewtonProblem problemOf(const PatchAssembly& assembly) const;
+	NewtonStrategy coarser() const;
 	NewtonOutcome solveCoarsest(const PatchAssembly& assembly, const Positions& start,
 								const Progress& progress) const;
 	NewtonOutcome refine(const PatchAssembly& assembly, const Positions& displacement,
 						 const NewtonOutcome& coarse, const Progress& progress) const;
 
-	const double smoothness_;
-	const CurvatureGoal goal_;
-	const int maxIterations_;
-	const double memoryLimit_;
-	const NewtonTuning tuning_;
+	double smoothness_;
+	CurvatureGoal goal_;
+	int maxIterations_;
+	double memoryLimit_;
+	NewtonTuning tuning_;
+	bool isCoarse_ = false; // another one is at work on the finest level
 };
 
 } // namespace developable::detail

@@ -70,11 +70,11 @@ struct NewtonTuning {
 	double sliverMargin = 1.01; ///< for what rounding to the host's scalar may take away
 
 	// Back to within the bound on displacements.
-	int returnRounds = 12;        ///< each with heavier places
-	int returnSteps = 8;          ///< of restoration in a round
-	double returnAim = 0.95;      ///< share of the bound beyond which places are made heavier
-	double returnReach = 3;       ///< of the bound: shapes farther away are given up
-	double returnProgress = 0.99; ///< share of the largest displacement that a round may leave
+	int returnRounds = 6;        ///< each with heavier places
+	double returnEpsilon = 0.03; ///< share of the first, at which a round begins
+	double returnAim = 0.95;     ///< share of the bound beyond which places are made heavier
+	double heavyPlace = 1000;    ///< of its mass, at the bound on a finer level
+	double returnReach = 3;      ///< of the bound: shapes farther away are given up
 
 	// Attempts with more smoothness.
 	int attempts = 5;
@@ -84,6 +84,7 @@ struct NewtonTuning {
 	// Levels.
 	int coarsest = 1500;              ///< places; so few are solved directly
 	double levelRatio = 4;            ///< between the numbers of places of two levels
+	double coarseRoom = 0.95;         ///< share of the bound on displacements that a coarser level has
 	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while
 	double prolongationBending = 0.3; ///< β in units of (A/n)²: waves below five coarse edges are left out
 	double prolongationMass = 1e-6;   ///< share of its mass that a place has which the coarse level has not

@@ -8,13 +8,12 @@
 namespace developable::detail {
 
 /// Goes on from a developable shape with a place farther away than it may be. Places beyond the bound, or
-/// nearly, are made heavier in the metric, the more so the farther they are, and steps with τ = 1 lead to
+/// nearly, are made heavier in the metric, the more so the farther they are, and a continuation leads to
 /// where the distance is least now; so again and again. That is Lawson's way (1961) from least squares to the
 /// least of the largest.
 class ReturnWithinBound {
 public:
-	/// \param epsilon  of the steps: the least of the continuation
-	ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon);
+	ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
 
 	/// \return Reached, with a shape within the bound; Stuck, with the run at any shape; OutOfSteps; Stopped;
 	///         Unsolvable
@@ -25,15 +24,14 @@ public:
 
 private:
 	void makeFarPlacesHeavier();
+	void makeLighter();
 
-	/// One step to where the distance is less, then some that restore g = 0.
+	/// A continuation and a restoration, from the present shape.
 	Ending round();
-	Ending step(double tau, double epsilon);
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	GaussNewton& steps_;
-	const double epsilon_;
 	Eigen::VectorXd masses_; ///< of the places, as they have become
 	double nearest_;
 };
