@@ -12,6 +12,9 @@ from meshlab_developable.description import Reason, Status
 __all__ = ["LocalReport", "Measures", "OptimizationReport", "PanelReport", "PatternReport", "Status"]
 
 
+DEVELOPABLE = (Status.CONVERGED, Status.NOTHING_TO_DO)
+
+
 @dataclasses.dataclass(frozen=True)
 class _Report:
     @classmethod
@@ -104,7 +107,7 @@ class OptimizationReport(_Report):
     @property
     def developable(self) -> bool:
         """Whether the result is, by the method's own tolerances."""
-        return self.status in (Status.CONVERGED, Status.NOTHING_TO_DO)
+        return self.status in DEVELOPABLE
 
 
 def _reason_in_words(values: Mapping[str, Any]) -> str:

@@ -92,6 +92,7 @@ void BendingMetric::setSmoothness(const Eigen::VectorXd& smoothness) {
 	lower_ = BendingMatrix(assembly_, placeMass_, smoothness).lower();
 	diagonal_ = lower_.diagonal();
 	stiffness_ = Eigen::VectorXd::Zero(assembly_.triangleCount());
+	weight_ = placeMass_;
 }
 
 void BendingMetric::stiffen(const std::vector<int>& triangles) {
@@ -109,6 +110,7 @@ void BendingMetric::weigh(const Eigen::VectorXd& masses) {
 	for (int place = 0; place < assembly_.placeCount(); ++place)
 		if (!assembly_.placeFixed[place])
 			lower_.coeffRef(place, place) += masses[place];
+	weight_ += masses;
 }
 
 bool BendingMetric::tooStiff() const {

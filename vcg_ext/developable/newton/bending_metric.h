@@ -69,6 +69,8 @@ public:
 
 	/// m_q.
 	const Eigen::VectorXd& placeMass() const { return placeMass_; }
+	/// m_q with what places have been made heavier by.
+	const Eigen::VectorXd& weight() const { return weight_; }
 
 	/// The lower triangle of W, the same for all three coordinates.
 	const SparseMatrix& matrix() const { return lower_; }
@@ -88,7 +90,7 @@ private:
 
 	const PatchAssembly& assembly_;
 	const NewtonTuning tuning_;
-	Eigen::VectorXd placeMass_;
+	Eigen::VectorXd placeMass_, weight_;
 	SparseMatrix lower_;
 	Eigen::VectorXd diagonal_;  // of the matrix at first
 	Eigen::VectorXd stiffness_; // ρ, per triangle

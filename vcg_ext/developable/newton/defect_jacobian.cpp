@@ -21,7 +21,7 @@ DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::Vecto
 	rowScale_.resize(rowCount());
 	for (int row = 0; row < rowCount(); ++row)
 		rowScale_[row] = std::sqrt(area / areas[copyOfRow_[row]]);
-	inverseMass_ = placeMass.cwiseInverse();
+	setPlaceMass(placeMass);
 	findBlocks();
 }
 

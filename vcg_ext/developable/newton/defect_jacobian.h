@@ -21,6 +21,9 @@ public:
 	/// The scaled defects, one row for each inner copy.
 	Eigen::VectorXd scaled(const Eigen::VectorXd& defects) const;
 
+	/// For massProduct.
+	void setPlaceMass(const Eigen::VectorXd& placeMass) { inverseMass_ = placeMass.cwiseInverse(); }
+
 	/// Moves on to the derivative at these positions.
 	void linearize(const Positions& positions);
 

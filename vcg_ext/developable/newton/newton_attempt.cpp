@@ -43,6 +43,13 @@ Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& ne
 	return withinBound(ending, problem, run, steps, nearest);
 }
 
+/// Triangles all over were in the way and much curvature is left: the shape itself needs a cut, and a
+/// smoother displacement would not help it.
+bool hopeless(const NewtonProblem& problem, const NewtonRun& run) {
+	return problem.metric().tooStiff() &&
+		   run.shape().curvature > problem.tuning().settledCurvature * run.startCurvature();
+}
+
 Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
 	return Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness);
 }
@@ -69,7 +76,9 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 		NewtonRun run(problem, start, maxIterations - best.iterations, progressOfThis);
 		best.ending = attempt(problem, run, i > 0, best.nearestDevelopable);
 		best.iterations += run.iterations();
-		if (best.ending == Ending::OutOfSteps && i > 0) // the attempts before had ended by themselves
+		// The attempts before had ended by themselves, and stiffer triangles are what can't be solved for.
+		const bool gaveUp = best.ending == Ending::OutOfSteps || best.ending == Ending::Unsolvable;
+		if (gaveUp && (i > 0 || problem.budget().spent()))
 			best.ending = Ending::Stuck;
 		if (best.ending == Ending::Stopped)
 			break;
@@ -82,6 +91,8 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 		}
 		if (best.ending != Ending::Stuck ||
 			best.nearestDevelopable > 0) // more smoothness leads farther still
+			break;
+		if (problem.budget().spent() || hopeless(problem, run))
 			break;
 		if (i > 0)
 			smoothnesses = problem.goal()

@@ -13,17 +13,23 @@ constexpr double shareOfAllTogether = 0.7;
 
 constexpr double farthestByDefault = 0.15; ///< share of the part's diagonal
 
-NewtonOutcome solve(const PatchAssembly& part, const Positions& start, const NewtonStrategy& strategy,
+NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStrategy& strategy,
 					const Progress& progress) {
 	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
 	const double share = mayFreeze ? shareOfAllTogether : 1;
+	const NewtonTuning& tuning = strategy.tuning();
+	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
+	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work));
 	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, share));
 	if (outcome.ending == Ending::Stopped)
 		return outcome;
+	if (outcome.ending == Ending::OutOfSteps && strategy.budget().spent())
+		outcome.ending = Ending::Stuck;
 	if (!better(part, angleDefects(part, outcome.positions), angleDefects(part, start)))
 		outcome.positions = start;
 	if (outcome.ending != Ending::Stuck || !mayFreeze)
 		return outcome;
+	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work));
 	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
 	return FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(outcome);
 }
@@ -68,8 +74,8 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 		result.ending = Ending::Stuck;
 		return result;
 	}
-	const NewtonStrategy strategy(options.smoothness, goal, options.maxIterations, options.memoryLimit,
-								  options.tuning);
+	NewtonStrategy strategy(options.smoothness, goal, options.maxIterations, options.memoryLimit,
+							options.tuning);
 	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
 	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
 			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};

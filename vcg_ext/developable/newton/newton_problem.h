@@ -6,6 +6,9 @@
 #include "curvature_goal.h"
 #include "defect_jacobian.h"
 #include "soundness.h"
+#include "work_budget.h"
+
+#include <memory>
 
 namespace developable::detail {
 
@@ -35,6 +38,9 @@ public:
 
 	Positions displacement(const Shape& shape) const { return shape.positions - assembly_.originalPositions; }
 
+	/// Makes places heavier, see BendingMetric.
+	void weigh(const Eigen::VectorXd& masses);
+
 	/// Where a step would spoil triangles they are made stiffer. \return whether there are any
 	bool stiffenFor(const Positions& positions);
 
@@ -48,6 +54,10 @@ public:
 	DefectJacobian& jacobian() { return jacobian_; }
 	const Soundness& soundness() const { return soundness_; }
 
+	/// What all work on this problem is taken from; at first without limit.
+	WorkBudget& budget() const { return *budget_; }
+	void setBudget(std::shared_ptr<WorkBudget> budget) { budget_ = std::move(budget); }
+
 private:
 	const PatchAssembly& assembly_;
 	const CurvatureGoal goal_;
@@ -56,6 +66,7 @@ private:
 	BendingMetric metric_;
 	DefectJacobian jacobian_;
 	Soundness soundness_;
+	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 };
 
 } // namespace developable::detail

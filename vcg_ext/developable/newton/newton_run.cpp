@@ -27,6 +27,10 @@ NewtonRun::NewtonRun(const NewtonProblem& problem, const Positions& start, int m
 }
 
 bool NewtonRun::takeStep() {
+	return !problem_.budget().spent() && takeCheapStep();
+}
+
+bool NewtonRun::takeCheapStep() {
 	if (iterations_ >= maxIterations_)
 		return false;
 	++iterations_;

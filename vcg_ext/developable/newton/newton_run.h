@@ -32,8 +32,10 @@ public:
 	/// Back to where it began; steps are counted on.
 	void restart() { moveTo(problem_.shapeAt(start_)); }
 
-	/// Counts a step. \return false when there have been as many as may be
+	/// Counts a step. \return false when there have been as many as may be, or the work is spent
 	bool takeStep();
+	/// The same for a step that costs little and is not taken from the budget of work.
+	bool takeCheapStep();
 
 	/// Tells how far the run is. \return false when the user asks for a stop
 	bool mayGoOn() const;

@@ -34,7 +34,7 @@ bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape) {
 	const double limit = problem.tuning().returnAim * problem.goal().farthest;
 	const Eigen::VectorXd more =
 		(distances.array() > limit).select(problem.tuning().heavyPlace * problem.metric().placeMass(), 0);
-	problem.metric().weigh(more);
+	problem.weigh(more);
 	return more.maxCoeff() > 0;
 }
 
@@ -56,7 +56,9 @@ NewtonStrategy::NewtonStrategy(double smoothness, const CurvatureGoal& goal, int
 	  tuning_(tuning) {}
 
 NewtonProblem NewtonStrategy::problemOf(const PatchAssembly& assembly) const {
-	return {assembly, goal_, tuning_, memoryLimit_};
+	NewtonProblem problem(assembly, goal_, tuning_, memoryLimit_);
+	problem.setBudget(budget_);
+	return problem;
 }
 
 /// With less room to move, for what the finest level adds.

@@ -19,6 +19,10 @@ public:
 	const CurvatureGoal& goal() const { return goal_; }
 	const NewtonTuning& tuning() const { return tuning_; }
 
+	const WorkBudget& budget() const { return *budget_; }
+	/// What all work from now on is taken from; at first without limit.
+	void setBudget(std::shared_ptr<WorkBudget> budget) { budget_ = std::move(budget); }
+
 	/// From coarse to fine, all patches together.
 	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
 						const Progress& progress) const;
@@ -36,6 +40,7 @@ private:
 	int maxIterations_;
 	double memoryLimit_;
 	NewtonTuning tuning_;
+	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 	bool isCoarse_ = false; // another one is at work on the finest level
 };
 

@@ -70,11 +70,17 @@ struct NewtonTuning {
 	double sliverMargin = 1.01; ///< for what rounding to the host's scalar may take away
 
 	// Back to within the bound on displacements.
-	int returnRounds = 6;        ///< each with heavier places
-	double returnEpsilon = 0.03; ///< share of the first, at which a round begins
-	double returnAim = 0.95;     ///< share of the bound beyond which places are made heavier
-	double heavyPlace = 1000;    ///< of its mass, at the bound on a finer level
-	double returnReach = 3;      ///< of the bound: shapes farther away are given up
+	int returnRounds = 6;         ///< each with heavier places
+	double returnEpsilon = 0.03;  ///< share of the first, at which a round begins
+	double returnAim = 0.95;      ///< share of the bound beyond which places are made heavier
+	double heavyPlace = 1000;     ///< of its mass, at the bound on a finer level
+	double returnProgress = 0.97; ///< share of the nearest so far that a round may leave
+	double returnReach = 3;       ///< of the bound: shapes farther away are given up
+
+	// How much work a part may take, in units of WorkBudget: some three times the paper's 200 steps.
+	double workPerPlace = 1200;
+	double workOnSmall = 3e6;  ///< at least: seconds
+	double workTogether = 0.6; ///< share of it before patches are frozen
 
 	// Attempts with more smoothness.
 	int attempts = 5;

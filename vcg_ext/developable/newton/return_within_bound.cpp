@@ -25,10 +25,13 @@ Ending ReturnWithinBound::run() {
 			return Ending::Reached;
 		if (problem_.metric().tooStiff())
 			return Ending::Stuck;
-		if (ending == Ending::Stuck)
+		if (ending == Ending::Stuck) {
 			makeLighter();
-		else
+		} else {
+			if (run_.shape().farthest > tuning.returnProgress * nearest_ && i > 0)
+				return Ending::Stuck;
 			makeFarPlacesHeavier();
+		}
 	}
 	return Ending::Stuck;
 }
@@ -44,14 +47,14 @@ void ReturnWithinBound::makeFarPlacesHeavier() {
 			more[place] = (std::pow(share, 16) - 1) * masses_[place];
 	}
 	masses_ += more;
-	problem_.metric().weigh(more);
+	problem_.weigh(more);
 }
 
 /// Places much heavier than their neighbours may leave no way: half as much, as powers go.
 void ReturnWithinBound::makeLighter() {
 	const Eigen::VectorXd& own = problem_.metric().placeMass();
 	const Eigen::VectorXd lighter = (masses_.array() * own.array()).sqrt();
-	problem_.metric().weigh(lighter - masses_);
+	problem_.weigh(lighter - masses_);
 	masses_ = lighter;
 }
 
