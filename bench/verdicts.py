@@ -3,7 +3,7 @@
 200 steps on the same mesh.
 
 Run by bench/run.sh: verdicts.py EXECUTABLE FOLDER. The folder's files and those in folders below it, in
-every format that pymeshlab reads; others are left out. Seconds are those of the clock: leave the machine alone.
+every format that pymeshlab reads; others are left out. Seconds are the clock's: leave the machine alone.
 """
 
 import subprocess

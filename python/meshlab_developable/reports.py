@@ -56,7 +56,8 @@ class PanelReport:
     def from_values(cls, values: Mapping[str, Any]) -> Self:
         """From what the attributes of its faces say, by the fields' names; status and reason are numbers."""
         worst = dict(zip(("worst_x", "worst_y", "worst_z"), values["worst_point"], strict=True))
-        words = {"status": Status(values["status"]), "reason": _reason_in_words({**values, **worst})}
+        one = {"patches": 1, "patches_needing_cut": 1}  # in the words of reports of all panels
+        words = {"status": Status(values["status"]), "reason": _reason_in_words({**values, **worst, **one})}
         return cls(**{**values, **words})
 
 

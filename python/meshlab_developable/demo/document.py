@@ -94,8 +94,8 @@ def verdict(study: Study, outcome: Outcome) -> str:
 
 
 def panels(study: Study, outcome: Outcome) -> list[tuple[str, ...]]:
-    """Of each panel, with units: its number, status, curvature before and after, largest displacement, and where
-    most curvature is left."""
+    """Of each panel, with units: its number, status, curvature before and after, largest displacement, and
+    where most curvature is left."""
     unit = study.source.unit
     return [
         (

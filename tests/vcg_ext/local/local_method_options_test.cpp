@@ -103,7 +103,7 @@ TEST(LocalMethod, EndsLowerWhereSeamsMoveThanWhereTheyStay) {
 			LocalMethodOptions options;
 			options.maxOperations = operations;
 			Positions fixed = assembly.originalPositions, moving = fixed;
-			localMethod(assembly, fixed, options);
+			const bool enough = converged(localMethod(assembly, fixed, options).status);
 			options.assemblingVertices = AssemblingVertices::MoveTogether;
 			const LocalMethodReport report = localMethod(assembly, moving, options);
 			EXPECT_LE(report.iterations, operations);
@@ -111,7 +111,7 @@ TEST(LocalMethod, EndsLowerWhereSeamsMoveThanWhereTheyStay) {
 						 ofFixed = measured(assembly, fixed).detectFunction,
 						 ofMoving = measured(assembly, moving).detectFunction;
 			EXPECT_LE(ofMoving, start);
-			if (operations >= 500000) {
+			if (operations >= 500000 && !enough) {
 				EXPECT_LT(ofMoving, ofFixed);
 			}
 		}

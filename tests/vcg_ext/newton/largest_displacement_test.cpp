@@ -32,8 +32,9 @@ TEST(LargestDisplacement, IsKeptToTheLastBitWhateverTheResult) {
 					EXPECT_LE(left, 1e-4);
 				else
 					EXPECT_EQ(report.status, Status::NeedsCut);
-				if (report.reason == Reason::TooFar)
+				if (report.reason == Reason::TooFar) {
 					EXPECT_GT(report.nearestDevelopable, bound);
+				}
 			}
 		}
 }

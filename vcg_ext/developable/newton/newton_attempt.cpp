@@ -56,7 +56,8 @@ Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
 
 /// What an attempt says, as its part of all: the first most often is the only one.
 Progress progressOfAttempt(const Progress& progress, int attempt) {
-	const double begin = 1 - std::pow(0.5, attempt), end = 1 - std::pow(0.5, attempt + 1);
+	constexpr double left = 0.4; // of what is left, to the attempts behind
+	const double begin = 1 - std::pow(left, attempt), end = 1 - std::pow(left, attempt + 1);
 	return partOf(progress, begin, end);
 }
 

@@ -12,8 +12,7 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double coarseShare = 0.2; ///< of a level's work that the coarser levels are, as far as one can tell
-constexpr double growth = 1.2;      ///< time goes with this power of the number of places
+constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
 /// The whole displacement, or as much of it as leaves the triangles in order and moves no place too far.
 Positions soundStart(const NewtonProblem& problem, const Positions& displacement) {
@@ -36,6 +35,16 @@ bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape) {
 		(distances.array() > limit).select(problem.tuning().heavyPlace * problem.metric().placeMass(), 0);
 	problem.weigh(more);
 	return more.maxCoeff() > 0;
+}
+
+/// What a part of so many places takes on all its levels, as far as one can tell before; in units of
+/// WorkBudget: most of it on the coarsest, and steps along the normals on the others.
+double expectedWork(double places, const NewtonTuning& tuning) {
+	constexpr double ofCoarsest = 900, ofFiner = 200; // a place
+	if (places <= tuning.coarsest)
+		return ofCoarsest * places;
+	return ofFiner * places +
+		   expectedWork(std::max<double>(tuning.coarsest, places / tuning.levelRatio), tuning);
 }
 
 /// What is about to be done, and how long it may take.
@@ -81,6 +90,8 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)
 		return solveCoarsest(assembly, start, progress);
 
+	const double coarseShare =
+		expectedWork(coarse.assembly.placeCount(), tuning_) / expectedWork(places, tuning_);
 	const auto begin = std::chrono::steady_clock::now();
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
