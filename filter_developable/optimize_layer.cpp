@@ -4,6 +4,8 @@
 
 #include "layer.h"
 #include "map_output.h"
+#include "panel_output.h"
+#include "practical_notes.h"
 #include "shared_parameters.h"
 #include "vertex_data.h"
 
@@ -16,11 +18,14 @@ namespace developable::plugin {
 
 namespace {
 
+constexpr double smallStrain = 3; ///< per cent of an edge: what many a material gives
+
 /// Why the run ended, in numbers.
 void addReason(Results& results, const OptimizationReport& report) {
 	const auto [x, y, z] = report.worstPosition;
 	results.push_back({"reason", static_cast<int>(report.reason), ""});
 	results.push_back({"patches_needing_cut", report.patchesNeedingCut, ""});
+	results.push_back({"nearest_developable", report.nearestDevelopable, ""});
 	results.push_back({"worst_x", x, ""});
 	results.push_back({"worst_y", y, ""});
 	results.push_back({"worst_z", z, ""});
@@ -49,6 +54,12 @@ std::string statusInWords(const OptimizationReport& report, const std::string& r
 	return words;
 }
 
+void addPanels(Results& results, const std::vector<PanelReport>& panels) {
+	results.push_back({"panels_converged",
+					   countPanels(panels, Status::Converged) + countPanels(panels, Status::NothingToDo), ""});
+	results.push_back({"panels_need_cut", countPanels(panels, Status::NeedsCut), ""});
+}
+
 void addMeasures(Results& results, const Measures& before, const Measures& after) {
 	results.push_back({"developability_before", before.developability, ""});
 	results.push_back({"developability_after", after.developability, ""});
@@ -74,7 +85,8 @@ void addChanges(Results& results, const PatchAssembly& assembly, const Positions
 	results.push_back({"max_distance", distances.maxCoeff(), ""});
 }
 
-void write(FilterCall& call, const PatchAssembly& assembly, const Positions& positions) {
+void write(FilterCall& call, const PatchAssembly& assembly, const Positions& positions,
+		   const std::vector<PanelReport>& panels) {
 	const Map map = chosenMap(call.values);
 	const Eigen::VectorXd values = mapValues(map, assembly, positions, assembly.originalPositions);
 	CMeshO& mesh = call.layer.mesh();
@@ -83,6 +95,7 @@ void write(FilterCall& call, const PatchAssembly& assembly, const Positions& pos
 	call.layer.positionsChanged();
 	writeMap(call, assembly, map, values);
 	showMap(call, assembly, map, values);
+	writePanels(mesh, assembly, panels);
 }
 
 } // namespace
@@ -97,7 +110,7 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	requireOpenPatches(assembly);
 
 	result.positions = assembly.originalPositions;
-	const OptimizationReport report = method(assembly, result.positions, call.progress);
+	OptimizationReport report = method(assembly, result.positions, call.progress);
 	const Measures before = measure(assembly, assembly.originalPositions, angleTolerance);
 	const Measures unrounded = measure(assembly, result.positions, angleTolerance);
 	if (report.status != Status::Stopped)
@@ -110,12 +123,22 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	addChanges(results, assembly, result.positions);
 	results.push_back({"iterations", static_cast<int>(report.iterations), ""});
 	results.push_back({"converged", converged(report.status), ""});
+	const std::vector<PanelReport> panels =
+		panelReports(assembly, result.positions, report, angleTolerance);
+	addPanels(results, panels);
+	const std::optional<double> strain = strainLeft(assembly, result.positions, panels);
+	if (report.reason == Reason::NeedsCut && strain && *strain < smallStrain)
+		report.reason = Reason::NearlyThere;
+	results.push_back({"edge_strain_left", strain.value_or(0), ""});
 	addReason(results, report);
 	const std::string reason = reasonInWords(report, results);
 	results.push_back({"status", static_cast<int>(report.status),
 					   statusInWords(report, reason, before, after, angleTolerance)});
 	if (report.status != Status::Stopped)
-		write(call, assembly, result.positions);
+		write(call, assembly, result.positions, panels);
+	logPanels(call, panels);
+	if (const std::string warning = warningOfFarMoves(assembly, result.positions, panels); !warning.empty())
+		call.log("warning: " + warning);
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 	results.push_back({"seconds", elapsed.count(), ""});
 	return result;

@@ -96,13 +96,13 @@ Parameter angleToleranceParameter() {
 		"On fine meshes every vertex passes, so look at the total absolute curvature C too.");
 }
 
-Parameter mapParameter(std::vector<std::string> more) {
+Parameter mapParameter(Map defaultMap, std::vector<std::string> more) {
 	std::vector<std::string> maps = {"Gaussian map",      "Angle defect",      "Gaussian curvature",
 									 "Minimum curvature", "Maximum curvature", "Distance",
 									 "Displacement"};
 	maps.insert(maps.end(), more.begin(), more.end());
 	return enumeration(
-		"map", std::move(maps), 0, "Map",
+		"map", std::move(maps), static_cast<int>(defaultMap), "Map",
 		"What is written to the vertex quality. It can be the squared angle defect (the paper's Gaussian map, "
 		"Fig. 5), the angle defect g (Eq. 5), the Gaussian curvature (Eq. 1), the principal "
 		"curvature of smaller or of larger absolute value (Fig. 10), the distance to the original "

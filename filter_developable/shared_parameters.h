@@ -4,6 +4,7 @@
 
 #include "filter_description.h"
 
+#include "developable/geometry/geometry.h"
 #include "developable/mesh/mesh.h"
 
 namespace developable::plugin {
@@ -28,8 +29,8 @@ Parameter onlySelectedParameter();
 Parameter fixBoundaryParameter();
 Parameter fixSelectedParameter();
 Parameter angleToleranceParameter();
-/// The seven maps of shapes, then `more`.
-Parameter mapParameter(std::vector<std::string> more = {});
+/// The seven maps of shapes, then `more`; the default is one of the seven.
+Parameter mapParameter(Map defaultMap, std::vector<std::string> more = {});
 Parameter colorizeParameter();
 
 /// What those of the parameters above that the filter has ask for.

@@ -139,7 +139,7 @@ FilterDescription developabilityMaps() {
 		"Sections 3 and 6.";
 	filter.parameters = {
 		patchesParameter(),        weldDistanceParameter(),
-		angleToleranceParameter(), mapParameter({"Elastic energy"}),
+		angleToleranceParameter(), mapParameter(Map::GaussianMap, {"Elastic energy"}),
 		referenceParameter(),      colorizeParameter(),
 	};
 	filter.run = run;

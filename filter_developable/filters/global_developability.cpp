@@ -8,6 +8,9 @@
 #include "developable/newton/constrained_newton.h"
 #include "developable/penalty/penalty_method.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace developable::plugin {
 
 namespace {
@@ -22,6 +25,12 @@ std::vector<std::string> solverNames() {
 
 std::string nameOf(Solver solver) {
 	return solverNames()[std::size_t(solver)];
+}
+
+/// What users set for all programs that compute on several threads, as our batches do; 0: nothing.
+int threadsAskedFor() {
+	const char* asked = std::getenv("OMP_NUM_THREADS");
+	return asked != nullptr ? std::max(0, std::atoi(asked)) : 0;
 }
 
 OptimizationReport runConjugateGradient(const ParameterValues& values, const PatchAssembly& assembly,
@@ -41,6 +50,9 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.maxIterations = values.integer("max_iterations");
 	options.smoothness = values.number("smoothness");
 	options.fairness = values.number("fairness");
+	// Hosts may have rounded to float what the user typed: stay below that.
+	options.maxDisplacement = values.number("max_displacement") * (1 - 1.2e-7);
+	options.threads = threadsAskedFor();
 	return constrainedNewton(assembly, positions, options, progress);
 }
 
@@ -106,7 +118,12 @@ std::vector<Parameter> parameters() {
 					"fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
 					"how much of the surface's own detail is smoothed away: bumps that are shorter than this share of "
 					"the panel's size. At 0 the surface keeps its detail.")),
-		mapParameter(),
+		onlyFor(Solver::ConstrainedNewton,
+				automaticLength("max_displacement", "Largest displacement",
+								"no vertex ends farther than this from where it was; -1 means 15 % of the "
+								"diagonal of its part, that is of what shares vertices or is sewn together. Any "
+								"negative number means that.")),
+		mapParameter(Map::Displacement),
 		colorizeParameter(),
 	};
 }

@@ -99,7 +99,7 @@ FilterDescription localDevelopability() {
 			"avoid_self_intersections", false, "Avoid self-intersections",
 			"Shorten or refuse moves that would make the surface cut itself. Takes two to four times as long; "
 			"the paper leaves it open (Section 7)."),
-		mapParameter(),
+		mapParameter(Map::Displacement),
 		colorizeParameter(),
 	};
 	filter.run = run;

@@ -17,8 +17,16 @@ from meshlab_developable.errors import (
 )
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.methods import Developed, Measured
+from meshlab_developable.panels import panel_reports
 from meshlab_developable.plugin import load
-from meshlab_developable.reports import LocalReport, Measures, OptimizationReport, PatternReport, Status
+from meshlab_developable.reports import (
+    LocalReport,
+    Measures,
+    OptimizationReport,
+    PanelReport,
+    PatternReport,
+    Status,
+)
 from meshlab_developable.sewing import Seam
 from meshlab_developable.signatures import flatten, make_developable, measure
 
@@ -36,6 +44,7 @@ __all__ = [
     "Measured",
     "Measures",
     "OptimizationReport",
+    "PanelReport",
     "PatternError",
     "PatternReport",
     "PluginNotFoundError",
@@ -46,4 +55,5 @@ __all__ = [
     "load",
     "make_developable",
     "measure",
+    "panel_reports",
 ]

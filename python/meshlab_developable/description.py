@@ -76,11 +76,11 @@ GLOBAL = Filter(
             "Constrained Newton only: how much weight bending has against distance; larger values give fewer wrinkles.",
         ),
         Parameter(
-            "fairness",
-            Number(maximum=1),
-            0.0,
-            "",
-            "Constrained Newton only: how much of the surface's own detail is smoothed away: bumps that are shorter than this share of the panel's size.",
+            "max_displacement",
+            Length(automatic=True),
+            -1.0,
+            "length",
+            "Constrained Newton only: no vertex ends farther than this from where it was; -1 means 15 % of the diagonal of its part, that is of what shares vertices or is sewn together.",
         ),
         Parameter(
             "map",
@@ -95,7 +95,7 @@ GLOBAL = Filter(
                     "Displacement",
                 )
             ),
-            "Gaussian map",
+            "Displacement",
             "",
             "What is written to the vertex quality.",
         ),
@@ -198,7 +198,7 @@ LOCAL = Filter(
                     "Displacement",
                 )
             ),
-            "Gaussian map",
+            "Displacement",
             "",
             "What is written to the vertex quality.",
         ),
@@ -374,6 +374,8 @@ class Reason(enum.IntEnum):
     NOTHING_MOVES = 2
     NEEDS_CUT = 3
     UNSOLVABLE = 4
+    TOO_FAR = 5
+    NEARLY_THERE = 6
 
     @property
     def text(self) -> str:
@@ -387,4 +389,6 @@ _REASON_TEXTS = {
     Reason.NOTHING_MOVES: "stalled: within the tolerance nothing can move any more",
     Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
     Reason.UNSOLVABLE: "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept",
+    Reason.TOO_FAR: "no developable shape found within the largest displacement, the nearest one moves a vertex by {nearest_developable}: it needs a cut, first of all at ({worst_x}, {worst_y}, {worst_z}), or a larger max_displacement",
+    Reason.NEARLY_THERE: "nearly there: no shape near this one is developable to the last bit, but laid flat as it is, no edge changes its length by more than {edge_strain_left} %",
 }

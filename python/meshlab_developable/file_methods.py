@@ -11,6 +11,7 @@ from meshlab_developable.errors import InvalidMeshError, WriteError
 from meshlab_developable.filters import FLATTEN, MAPS
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
 from meshlab_developable.methods import METHODS
+from meshlab_developable.panels import panel_reports
 from meshlab_developable.reports import Measures, OptimizationReport
 from meshlab_developable.writing import written_whole
 
@@ -47,7 +48,7 @@ def develop_file(
     result = mesh_sets.apply_filter(meshes, applied, values)
     meshes.set_verbosity(False)
     save_whole(meshes, target)
-    return report_type.from_values(result)
+    return report_type.from_values(result, panel_reports(meshes.current_mesh()))
 
 
 def flatten_file(

@@ -44,6 +44,7 @@ class Picture:
     vertices: Array  # n x 3
     faces: IndexArray  # m x 3
     values: Array  # n; or m x 3, the colours (sRGB, 0 to 1)
+    marks: Sequence[tuple[float, float, float]] = ()  # points with a ring round them, hidden ones too
 
 
 @dataclasses.dataclass(frozen=True)
@@ -82,6 +83,9 @@ def render(
     figure.subplots_adjust(left=0, right=1, bottom=footing / total, top=1 - HEADING / total, wspace=0)
     for axis, picture, image in zip(axes, pictures, images, strict=True):
         axis.imshow(image)
+        if picture.marks:
+            across, down = _frame(pictures, view or View()).pixels(np.array(picture.marks))
+            axis.scatter(across, down, s=260, facecolors="none", edgecolors="#00695c", linewidths=2.5)
         axis.set_axis_off()
         axis.set_title(picture.title, fontsize=18)
     if scale:
@@ -139,14 +143,33 @@ def _draw(
     )
     if borders.n_points:
         plotter.add_mesh(borders, color="#404040", line_width=2)
-    _aim(plotter, np.concatenate([p.vertices for p in together]), view)
+    _aim(plotter, _frame(together, view), together)
     image = np.array(plotter.screenshot(None, return_img=True))
     plotter.close()
     return image
 
 
-def _aim(plotter: Any, points: Array, view: View) -> None:
-    """Look at the points from the view's direction, in parallel projection, so that they just fit."""
+@dataclasses.dataclass(frozen=True)
+class _Frame:
+    """What a picture shows: a parallel projection."""
+
+    centre: Array
+    right: Array  # unit vectors
+    up: Array
+    eye: Array
+    half_height: float  # of what the picture shows, in the shapes' unit
+
+    def pixels(self, points: Array) -> tuple[Array, Array]:
+        """Column and row of each point, from the upper left corner."""
+        width, height = PICTURE_SIZE
+        scale = height / (2 * self.half_height)
+        from_centre = points - self.centre
+        return width / 2 + scale * (from_centre @ self.right), height / 2 - scale * (from_centre @ self.up)
+
+
+def _frame(pictures: Sequence[Picture], view: View) -> _Frame:
+    """From the view's direction, such that all the pictures' shapes just fit."""
+    points = np.concatenate([picture.vertices for picture in pictures])
     eye = np.array(view.eye) / np.linalg.norm(view.eye)
     right = np.cross(view.up, eye)
     right /= np.linalg.norm(right)
@@ -158,10 +181,16 @@ def _aim(plotter: Any, points: Array, view: View) -> None:
         + (points @ eye).mean() * eye
     )
     width, height = PICTURE_SIZE
+    half_height = 1.06 * max(np.ptp(along), np.ptp(across) * height / width) / 2
+    return _Frame(centre, right, up, eye, float(half_height))
+
+
+def _aim(plotter: Any, frame: _Frame, pictures: Sequence[Picture]) -> None:
+    size = max(float(np.ptp(picture.vertices, axis=0).max()) for picture in pictures)
     camera = plotter.camera
     camera.parallel_projection = True
-    camera.focal_point = centre
-    camera.position = centre + eye * 2 * np.ptp(points, axis=0).max()
-    camera.up = up
-    camera.parallel_scale = 1.06 * max(np.ptp(along), np.ptp(across) * height / width) / 2
+    camera.focal_point = frame.centre
+    camera.position = frame.centre + frame.eye * 2 * size
+    camera.up = frame.up
+    camera.parallel_scale = frame.half_height
     plotter.renderer.ResetCameraClippingRange()

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Self
 
 from meshlab_developable.description import Reason, Status
 
-__all__ = ["LocalReport", "Measures", "OptimizationReport", "PatternReport", "Status"]
+__all__ = ["LocalReport", "Measures", "OptimizationReport", "PanelReport", "PatternReport", "Status"]
+
+
+DEVELOPABLE = (Status.CONVERGED, Status.NOTHING_TO_DO)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -34,6 +37,31 @@ class Measures(_Report):
 
 
 @dataclasses.dataclass(frozen=True)
+class PanelReport:
+    """What an optimisation did to one panel. Lengths are in the mesh's unit."""
+
+    index: int  # from 0, as the face attribute `panel` has it
+    faces: int
+    status: Status
+    reason: str  # why it ended so
+    curvature_before: float  # C, rad
+    curvature_after: float
+    max_angle_defect: float  # rad
+    mean_displacement: float
+    max_displacement: float
+    worst_point: tuple[float, float, float]  # where the angle defect is largest
+    nearest_developable: float  # how far the nearest developable shape found moves a vertex, where too far; 0
+
+    @classmethod
+    def from_values(cls, values: Mapping[str, Any]) -> Self:
+        """From what the attributes of its faces say, by the fields' names; status and reason are numbers."""
+        worst = dict(zip(("worst_x", "worst_y", "worst_z"), values["worst_point"], strict=True))
+        one = {"patches": 1, "patches_needing_cut": 1}  # in the words of reports of all panels
+        words = {"status": Status(values["status"]), "reason": _reason_in_words({**values, **worst, **one})}
+        return cls(**{**values, **words})
+
+
+@dataclasses.dataclass(frozen=True)
 class OptimizationReport(_Report):
     """What an optimisation did. Lengths are in the mesh's unit."""
 
@@ -53,6 +81,8 @@ class OptimizationReport(_Report):
     max_displacement: float
     mean_displacement: float
     max_distance: float  # to the original surface
+    panels_converged: int
+    panels_need_cut: int
     iterations: int  # of the local method: operations attempted
     converged: bool
     status: Status
@@ -61,18 +91,24 @@ class OptimizationReport(_Report):
     worst_x: float  # where a cut is needed first of all; 0, 0, 0 where none is
     worst_y: float
     worst_z: float
+    nearest_developable: float  # how far the nearest developable shape found moves a vertex, where too far; 0
+    edge_strain_left: (
+        float  # per cent, of what is nearly developable, laid flat as it is; 0 where not measured
+    )
     seconds: float
+    panels: Sequence[PanelReport] = dataclasses.field(kw_only=True)
 
     @classmethod
-    def from_values(cls, values: Mapping[str, Any]) -> Self:
-        """From the dictionary that the filter returned, which must have every key."""
+    def from_values(cls, values: Mapping[str, Any], panels: Sequence[PanelReport] = ()) -> Self:
+        """From the dictionary that the filter returned, which must have every key, and what
+        `panel_reports` reads from the mesh."""
         words = {"status": Status(values["status"]), "reason": _reason_in_words(values)}
-        return super().from_values({**values, **words})
+        return super().from_values({**values, **words, "panels": list(panels)})
 
     @property
     def developable(self) -> bool:
         """Whether the result is, by the method's own tolerances."""
-        return self.status in (Status.CONVERGED, Status.NOTHING_TO_DO)
+        return self.status in DEVELOPABLE
 
 
 def _reason_in_words(values: Mapping[str, Any]) -> str:

@@ -89,7 +89,7 @@ def make_developable(
     max_iterations: int = 200,
     relative_change: float = 0.0001,
     smoothness: float = 3e-06,
-    fairness: float = 0.0,
+    max_displacement: float = -1.0,
     map: Literal[
         "Gaussian map",
         "Angle defect",
@@ -98,9 +98,8 @@ def make_developable(
         "Maximum curvature",
         "Distance",
         "Displacement",
-    ] = "Gaussian map",
+    ] = "Displacement",
     colorize: bool = True,
-    max_displacement: float = -1.0,
     max_operations: int = 500000,
     descent: bool = False,
     smoothing: float = 0.0,
@@ -141,12 +140,11 @@ def make_developable(
             less than this share of its first value.
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
             against distance; larger values give fewer wrinkles.
-        fairness (≤ 1; only for 'global'): Constrained Newton only: how much of the surface's own detail is
-            smoothed away: bumps that are shorter than this share of the panel's size.
+        max_displacement (length): Constrained Newton only: no vertex ends farther than this from where it
+            was; -1 means 15 % of the diagonal of its part, that is of what shares vertices or is sewn
+            together.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
-        max_displacement (length; only for 'local'): How far a vertex may move along its original normal; -1
-            means the mean edge length.
         max_operations (only for 'local'): The run ends after so many visits to a vertex at the latest.
         descent (only for 'local'): Halve each move until the vertex and its neighbours come nearer to
             developable, and set it aside if none does.

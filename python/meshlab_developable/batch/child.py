@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 import resource
@@ -20,6 +21,7 @@ from meshlab_developable.batch.thumbnails import write_thumbnail
 from meshlab_developable.errors import DevelopableError, LostFacesWarning
 from meshlab_developable.file_methods import save_whole
 from meshlab_developable.methods import METHODS
+from meshlab_developable.panels import panel_reports
 from meshlab_developable.parent import die_with
 from meshlab_developable.writing import written_whole
 
@@ -54,7 +56,12 @@ def _work(request: dict[str, Any]) -> dict[str, Any]:
     except DevelopableError as error:
         if any(words in str(error) for words in ("bad_alloc", "not enough memory")):
             raise MemoryError from error
-        return {"state": State.BAD_INPUT, "message": " ".join(str(error).split()), "numbers": {}}
+        return {
+            "state": State.BAD_INPUT,
+            "message": " ".join(str(error).split()),
+            "numbers": {},
+            "panels": [],
+        }
 
 
 def _developed(request: dict[str, Any]) -> dict[str, Any]:
@@ -65,9 +72,11 @@ def _developed(request: dict[str, Any]) -> dict[str, Any]:
     save_whole(meshes, Path(request["target"]), scratch)
     with written_whole(Path(request["thumbnail"]), scratch) as path:
         write_thumbnail(path, meshes.current_mesh())
-    report = report_type.from_values(numbers)
+    panels = panel_reports(meshes.current_mesh())
+    report = report_type.from_values(numbers, panels)
     state = State.DONE if report.developable else State.NOT_CONVERGED
-    return {"state": state, "message": report.reason, "numbers": numbers}
+    told = [dataclasses.asdict(panel) | {"status": panel.status.name.lower()} for panel in panels]
+    return {"state": state, "message": report.reason, "numbers": numbers, "panels": told}
 
 
 def _limit_memory(limit: float) -> None:

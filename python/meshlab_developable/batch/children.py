@@ -160,7 +160,7 @@ class Children(WorkerPlugin):
         except EOFError:
             return Row(job.name, State.CRASHED, child.end())
         self._keep(child)
-        return Row(job.name, State(answer["state"]), answer["message"], answer["numbers"])
+        return Row(job.name, State(answer["state"]), answer["message"], answer["numbers"], answer["panels"])
 
     def _ready_child(self) -> Child:
         """One that waits, or a new one; the death of one that waited is no mesh's fault."""

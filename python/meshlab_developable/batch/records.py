@@ -8,7 +8,7 @@ import enum
 import hashlib
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +35,7 @@ class Row:
     state: State
     message: str
     numbers: Mapping[str, Any] = dataclasses.field(default_factory=dict)  # as the filter returns them
+    panels: Sequence[Mapping[str, Any]] = ()  # the fields of PanelReport
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "message", printable(self.message))
@@ -79,7 +80,13 @@ def read_record(job: Job) -> Row | None:
         content = json.loads(job.record.read_text("utf-8"))
         if content.pop("fingerprint") != job.fingerprint():
             return None
-        row = Row(content["input"], State(content["state"]), content["message"], content["numbers"])
+        row = Row(
+            content["input"],
+            State(content["state"]),
+            content["message"],
+            content["numbers"],
+            content["panels"],
+        )
     except (OSError, ValueError, KeyError):
         return None
     written = row.state in (State.DONE, State.NOT_CONVERGED)

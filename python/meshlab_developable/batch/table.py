@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import typing
 from collections.abc import Sequence
 from pathlib import Path
@@ -21,7 +22,8 @@ _TYPES = {bool: pyarrow.bool_(), float: pyarrow.float64()}  # others are whole n
 
 
 def write_tables(out: Path, rows: Sequence[Row], method: str, scratch: Path) -> None:
-    """A row an input: `input`, `state`, `message`, then the method's numbers, empty where there are none."""
+    """A row an input: `input`, `state`, `message`, then the method's numbers, empty where there are none, and
+    `panels`, a list in JSON."""
     table = _table(rows, method)
     with written_whole(out / "results.parquet", scratch) as path:
         pyarrow.parquet.write_table(table, path)
@@ -43,12 +45,20 @@ def _without_formulas(table: pyarrow.Table) -> pyarrow.Table:
 def _table(rows: Sequence[Row], method: str) -> pyarrow.Table:
     report = METHODS[method][1]
     types = typing.get_type_hints(report)
-    names = [field.name for field in dataclasses.fields(report)]
+    names = [field.name for field in dataclasses.fields(report) if field.name != "panels"]
     schema = pyarrow.schema(
         [(name, pyarrow.string()) for name in ("input", "state", "message")]
         + [(name, _TYPES.get(types[name], pyarrow.int64())) for name in names]
+        + [("panels", pyarrow.string())]
     )
     content = [
-        {"input": row.input, "state": str(row.state), "message": row.message, **row.numbers} for row in rows
+        {
+            "input": row.input,
+            "state": str(row.state),
+            "message": row.message,
+            **row.numbers,
+            "panels": json.dumps(row.panels) if row.panels else None,
+        }
+        for row in rows
     ]
     return pyarrow.Table.from_pylist(content, schema=schema)

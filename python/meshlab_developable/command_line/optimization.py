@@ -26,6 +26,11 @@ def optimization_command(applied: Filter, explanation: str) -> click.Command:
             report = develop_file(mesh, output, applied.name, verbose=shown, **shared.given(options))
         values = dataclasses.asdict(report) | {"status": report.status.name.lower()}
         said = values.pop("reason")
+        panels = values.pop("panels")
+        if as_json:
+            for panel in panels:
+                panel["status"] = panel["status"].name.lower()
+            values["panels"] = panels
         shared.print_result(as_json, f"{output}: {said}", values, input=mesh, output=output, message=said)
         sys.exit(shared.Exit.DONE if report.developable else shared.Exit.NOT_CONVERGED)
 

@@ -93,6 +93,23 @@ def verdict(study: Study, outcome: Outcome) -> str:
     )
 
 
+def panels(study: Study, outcome: Outcome) -> list[tuple[str, ...]]:
+    """Of each panel, with units: its number, status, curvature before and after, largest displacement, and
+    where most curvature is left."""
+    unit = study.source.unit
+    return [
+        (
+            f"{panel.index}",
+            panel.reason,
+            f"{panel.curvature_before:.3g} rad",
+            f"{panel.curvature_after:.3g} rad",
+            f"{panel.max_displacement:.3g} {unit}",
+            ", ".join(f"{coordinate:.3g}" for coordinate in panel.worst_point),
+        )
+        for panel in outcome.report.panels
+    ]
+
+
 def flatness(pattern: Pattern) -> str:
     """A sentence: how well the surface can be laid flat."""
     report = pattern.report
@@ -109,7 +126,7 @@ def write_html(file: Path, studies: Sequence[Study], histograms: Sequence[Path])
         for name in ("report.html.j2", "view.js")
     )
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
-    for function in (comparison, cost, flatness, size, verdict, embedded, view):
+    for function in (comparison, cost, flatness, panels, size, verdict, embedded, view):
         environment.globals[function.__name__] = function
     chapters = list(zip(studies, histograms, strict=True))
     page = environment.from_string(template).render(chapters=chapters, viewer=viewer)
@@ -130,6 +147,10 @@ def write_text(file: Path, studies: Sequence[Study]) -> None:
             lines += [f"{outcome.method.title}: {outcome.report.reason}", verdict(study, outcome), ""]
             lines += [f"  {what:38}{before:>16}  ->  {after}" for what, before, after in comparison(outcome)]
             lines += [f"  {what:38}{value}" for what, value in cost(study, outcome)]
+            lines += [
+                f"  {'panel ' + number:38}{status}; C {before} -> {after}, moved {moved}, worst at ({place})"
+                for number, status, before, after, moved, place in panels(study, outcome)
+            ]
             lines += [f"  {'result':38}{outcome.file.name}"]
             if outcome.pattern:
                 lines += [f"  {'flat pattern':38}{outcome.pattern.file.name}"]

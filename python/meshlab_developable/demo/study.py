@@ -13,10 +13,11 @@ import pymeshlab
 
 from meshlab_developable.errors import PatternError
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
+from meshlab_developable.panels import panel_reports
 from meshlab_developable.patterns import UNITS, PatternOptions, write_patterns
 from meshlab_developable.plugin import vertex_quality
 from meshlab_developable.rendering import Array, IndexArray, Picture, View, render, robust_scale
-from meshlab_developable.reports import Measures, OptimizationReport, PatternReport
+from meshlab_developable.reports import DEVELOPABLE, Measures, OptimizationReport, PatternReport
 
 
 @dataclasses.dataclass(frozen=True)
@@ -87,6 +88,12 @@ class Outcome:
     file: Path
     pattern: Pattern | None = None
 
+    @property
+    def marks(self) -> list[tuple[float, float, float]]:
+        """Where most curvature is left, of each panel that is not developable."""
+        left = [panel for panel in self.report.panels if panel.status not in DEVELOPABLE]
+        return [panel.worst_point for panel in left]
+
 
 @dataclasses.dataclass(frozen=True)
 class Figure:
@@ -132,7 +139,8 @@ MAPS = (
         "angle defect g, rad",
         True,
         "Red: the surface is a dome there, flat material has too much round it and needs a dart. Blue: it is "
-        "a saddle, flat material has too little. Grey: it can be laid flat.",
+        "a saddle, flat material has too little. Grey: it can be laid flat. Rings: where most is left in a "
+        "panel that is not developable.",
     ),
     MapKind(
         "Gaussian map",
@@ -175,6 +183,7 @@ MAPS = (
         of_pattern=True,
     ),
 )
+MARKED = "Angle defect"  # the map with a ring where most curvature is left in a panel
 EYE_ABOVE = View((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 
 
@@ -204,9 +213,14 @@ def study(
         maps |= pattern.maps
     shapes: list[tuple[str, Array, Mapping[str, Array]]] = [("before", vertices, maps)]
     shapes += [(f"after: {o.method.title}", o.vertices, o.maps) for o in outcomes]
+    marks = {f"after: {o.method.title}": o.marks for o in outcomes}
     figures = []
     for kind in kinds:
-        pictures = [Picture(title, v, faces, m[kind.title]) for title, v, m in shapes if kind.title in m]
+        pictures = [
+            Picture(title, v, faces, m[kind.title], marks.get(title, ()) if kind.title == MARKED else ())
+            for title, v, m in shapes
+            if kind.title in m
+        ]
         if pictures:
             figures.append(_figure(kind, source, pictures, folder))
     if pattern:
@@ -226,7 +240,7 @@ def _try(
     meshes.set_current_mesh(0)
     meshes.apply_filter("generate_copy_of_current_mesh")
     values = meshes.apply_filter(method.filter, angle_tolerance=angle_tolerance, **method.parameters)
-    report = OptimizationReport.from_values(values)
+    report = OptimizationReport.from_values(values, panel_reports(meshes.current_mesh()))
     file = folder / f"{source.name}_{method.name}.ply"
     maps = _maps(meshes, kinds, angle_tolerance)
     vertices = meshes.current_mesh().vertex_matrix()

@@ -92,6 +92,32 @@ TEST(LocalMethod, MovesSeamsWhenTheyMayMoveTogether) {
 	EXPECT_LT(measured(assembly, together).detectFunction, 0.8 * measured(assembly, fixed).detectFunction);
 }
 
+TEST(LocalMethod, EndsLowerWhereSeamsMoveThanWhereTheyStay) {
+	for (const double height : {0.7, 1.0, 1.3}) {
+		TriangleMesh left = jitteredGrid(13, 13, saddle);
+		left.positions.row(2) *= height;
+		TriangleMesh right = left;
+		right.positions.row(0) = 2 - right.positions.row(0).array();
+		const PatchAssembly assembly = assembled(together(left, right));
+		for (const long operations : {0L, 1L, 2000L, 500000L}) {
+			LocalMethodOptions options;
+			options.maxOperations = operations;
+			Positions fixed = assembly.originalPositions, moving = fixed;
+			const bool enough = converged(localMethod(assembly, fixed, options).status);
+			options.assemblingVertices = AssemblingVertices::MoveTogether;
+			const LocalMethodReport report = localMethod(assembly, moving, options);
+			EXPECT_LE(report.iterations, operations);
+			const double start = measured(assembly, assembly.originalPositions).detectFunction,
+						 ofFixed = measured(assembly, fixed).detectFunction,
+						 ofMoving = measured(assembly, moving).detectFunction;
+			EXPECT_LE(ofMoving, start);
+			if (operations >= 500000 && !enough) {
+				EXPECT_LT(ofMoving, ofFixed);
+			}
+		}
+	}
+}
+
 TEST(LocalMethod, DoesNotConvergeWithWhatIsNotANumber) {
 	const PatchAssembly assembly = assembled(jitteredGrid(6, 6, saddle));
 	LocalMethodOptions options;

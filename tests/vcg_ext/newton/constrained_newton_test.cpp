@@ -227,7 +227,7 @@ void expectOnlyFirstNeedsCut(const PatchAssembly& assembly) {
 				   after = measure(assembly, positions, 1e-4);
 	EXPECT_EQ(report.status, Status::NeedsCut);
 	EXPECT_EQ(report.worstPatch, 0);
-	EXPECT_EQ(report.reason, Reason::NeedsCut);
+	EXPECT_EQ(report.reason, report.nearestDevelopable > 0 ? Reason::TooFar : Reason::NeedsCut);
 	EXPECT_EQ(report.patchesNeedingCut, 1);
 	const int worstPlace = assembly.placeOfCopy[report.worstCopy];
 	EXPECT_EQ(Eigen::Vector3d(report.worstPosition.data()), positions.col(worstPlace));

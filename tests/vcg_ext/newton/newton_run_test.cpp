@@ -46,19 +46,23 @@ TEST(NewtonRun, SparesTrianglesAndKeepsWithinItsBound) {
 	const detail::NewtonRun::Merit merit = [&](const detail::Shape& shape) {
 		return -shape.positions(0, 12);
 	};
-	EXPECT_EQ(run.descend(direction, merit, -0.4, 6, 1e-3), 0);
 	EXPECT_GT(run.descend(direction, merit, -0.4, 6), 0);
 	EXPECT_TRUE(problem.soundness().holds(run.shape().positions));
+	detail::NewtonRun bounded(problem, assembly.originalPositions, 5, silent);
+	EXPECT_EQ(bounded.descend(direction, merit, -1e-3, 6, 1e-3), 1);
+	EXPECT_LE(bounded.shape().farthest, 1e-3);
+	EXPECT_GT(bounded.shape().farthest, 0.999e-3);
 }
 
 TEST(NewtonRun, KeepsTheLastShapeThatWasNear) {
 	const PatchAssembly assembly = assembled(jitteredGrid(9, 9, saddle));
-	const detail::NewtonProblem problem = problemOf(assembly);
+	const double diagonal = boxDiagonal(assembly.originalPositions);
+	const detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.2 * diagonal}, {}, 0);
 	const Progress silent;
 	detail::NewtonRun run(problem, assembly.originalPositions, 5, silent);
 	const detail::NewtonRun::Merit farther = [](const detail::Shape& shape) { return -shape.farthest; };
 	Positions along = Positions::Zero(3, assembly.placeCount());
-	along.row(2).setConstant(0.15 * problem.diagonal());
+	along.row(2).setConstant(0.15 * diagonal);
 	ASSERT_EQ(run.descend(along, farther, -1e-9, 0), 1);
 	const Positions near = run.shape().positions;
 	ASSERT_EQ(run.descend(along, farther, -1e-9, 0), 1);

@@ -12,6 +12,7 @@
 #include "corner_geometry.h"
 #include "elastic_energy.h"
 #include "maps.h"
+#include "patch_measures.h"
 #include "principal_curvatures.h"
 #include "roughness.h"
 #include "spatial_order.h"

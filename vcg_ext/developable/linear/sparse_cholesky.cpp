@@ -4,6 +4,7 @@
 
 #ifdef DEVELOPABLE_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
+#include <mutex>
 #else
 #include <Eigen/SparseCholesky>
 #endif
@@ -23,6 +24,14 @@ public:
 
 	bool positiveDefinite() const { return info() == Eigen::Success; }
 
+	/// METIS draws its random numbers from one row for the whole process, begun anew for each order: one
+	/// order at a time, so that it is the same on every run.
+	void findOrder(const SparseMatrix& matrix) {
+		static std::mutex oneAtATime;
+		const std::lock_guard lock(oneAtATime);
+		analyzePattern(matrix);
+	}
+
 	/// Of the factor, once the pattern is known, bytes: its numbers, and half as many zeros between them.
 	double factorMemory() { return 1.5 * 8 * cholmod().lnz; }
 };
@@ -33,6 +42,8 @@ class SparseCholesky::Factorization : public Eigen::SimplicialLDLT<SparseMatrix,
 public:
 	/// It factorises many other matrices too; CHOLMOD refuses them.
 	bool positiveDefinite() const { return info() == Eigen::Success && (vectorD().array() > 0).all(); }
+
+	void findOrder(const SparseMatrix& matrix) { analyzePattern(matrix); }
 
 	/// Of the factor, once the pattern is known, bytes.
 	double factorMemory() const { return 12.0 * static_cast<double>(m_matrix.nonZeros()); }
@@ -46,7 +57,7 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 SparseCholesky::~SparseCholesky() = default;
 
 double SparseCholesky::analyze(const SparseMatrix& matrix) {
-	factorization_->analyzePattern(matrix);
+	factorization_->findOrder(matrix);
 	analyzed_ = true;
 	return factorization_->factorMemory();
 }

@@ -21,6 +21,30 @@ void requireValid(const LocalMethodOptions& options) {
 				  "The smoothing is " + std::to_string(options.smoothing) + ": choose 0 or more.");
 }
 
+/// The paper's way with fixed seams first, then from its end seams and all else by safe steps: a seam's move
+/// changes several patches, and the paper's own steps, whether they help or not, would spoil more than they
+/// gain. So G never ends higher than the first half leaves it.
+LocalMethodReport seamsMoveLast(const PatchAssembly& assembly, Positions& positions,
+								const LocalMethodOptions& options, const Progress& progress) {
+	LocalMethodOptions first = options, last = options;
+	first.assemblingVertices = AssemblingVertices::Fixed;
+	first.maxOperations = (options.maxOperations + 1) / 2;
+	last.descent = true;
+	detail::LocalOptimizer fixed(assembly, positions, first), together(assembly, positions, last);
+	Positions reached = positions;
+	if (fixed.anyMovable()) {
+		const LocalMethodReport report = fixed.run(reached, partOf(progress, 0, 0.5));
+		if (report.status == Status::Stopped)
+			return report;
+		if (converged(report.status)) {
+			positions = reached;
+			return report;
+		}
+		together.goOnFrom(fixed);
+	}
+	return together.run(positions, partOf(progress, 0.5, 1));
+}
+
 } // namespace
 
 LocalMethodReport localMethod(const PatchAssembly& assembly, Positions& positions,
@@ -28,6 +52,8 @@ LocalMethodReport localMethod(const PatchAssembly& assembly, Positions& position
 	requireValid(options);
 	requireOpenPatches(assembly);
 	requireOrientablePatches(assembly);
+	if (options.assemblingVertices == AssemblingVertices::MoveTogether && !options.descent)
+		return seamsMoveLast(assembly, positions, options, progress);
 	return detail::LocalOptimizer(assembly, positions, options).run(positions, progress);
 }
 

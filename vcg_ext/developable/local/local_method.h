@@ -10,8 +10,10 @@ namespace developable {
 
 /// What the local method does with vertices where patches meet.
 enum class AssemblingVertices {
-	Fixed,       ///< they stay, as in the paper (Section 5.2.3)
-	MoveTogether ///< linked copies move as one, for the sum of what each patch gains
+	Fixed, ///< they stay, as in the paper (Section 5.2.3)
+	/// Linked copies move as one, for the sum of what each patch gains. Without `descent` the first half of
+	/// the operations leaves them fixed, and the second takes steps that lower T only.
+	MoveTogether
 };
 
 /// With the defaults from `descent` on the method is the paper's. They are what its Section 7 asks for.

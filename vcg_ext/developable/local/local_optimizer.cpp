@@ -14,14 +14,28 @@ LocalOptimizer::LocalOptimizer(const PatchAssembly& assembly, const Positions& p
 	  worst_(mesh_.originalPlace), lookAhead_(mesh_),
 	  limit_(options.maxDisplacement == LocalMethodOptions::meanEdge ? meanEdgeLength(assembly)
 																	 : options.maxDisplacement),
-	  smoothing_(options.smoothing / std::pow(meanEdgeLength(assembly), 2)) {
-	if (options.avoidSelfIntersections)
-		intersections_.emplace(mesh_, options.roundedToFloat);
+	  smoothing_(options.smoothing / std::pow(meanEdgeLength(assembly), 2)) {}
+
+void LocalOptimizer::goOnFrom(const LocalOptimizer& other) {
+	for (int place = 0; place < mesh_.placeCount(); ++place)
+		if (other.state_.height(place) != 0)
+			state_.moveTo(place, other.state_.height(place));
+	report_.iterations = lowestAt_ = other.report_.iterations;
+	report_.refusedMoves = other.report_.refusedMoves;
+}
+
+bool LocalOptimizer::anyMovable() const {
+	for (int place = 0; place < mesh_.placeCount(); ++place)
+		if (mesh_.movable(place))
+			return true;
+	return false;
 }
 
 LocalMethodReport LocalOptimizer::run(Positions& positions, const Progress& progress) {
 	if (allDevelopable())
 		return report_;
+	if (options_.avoidSelfIntersections)
+		intersections_.emplace(mesh_, options_.roundedToFloat);
 	fillTournament();
 	movableCount_ = worst_.size();
 	startValue_ = lowestValue_ = state_.detectFunction();

@@ -21,8 +21,14 @@ public:
 	LocalOptimizer(const PatchAssembly& assembly, const Positions& positions,
 				   const LocalMethodOptions& options);
 
+	/// Begins at the state that another run has left, with its operations counted.
+	void goOnFrom(const LocalOptimizer& other);
+
 	/// \return  what localMethod returns; the positions are as it leaves them
 	LocalMethodReport run(Positions& positions, const Progress& progress);
+
+	/// Whether any place may move.
+	bool anyMovable() const;
 
 private:
 	/// How high a place was before a move.

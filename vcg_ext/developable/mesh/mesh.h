@@ -9,6 +9,7 @@
 #pragma once
 
 #include "assemble_patches.h"
+#include "assembly_parts.h"
 #include "constants.h"
 #include "disjoint_sets.h"
 #include "exceptions.h"
@@ -16,6 +17,7 @@
 #include "indices.h"
 #include "joined_faces.h"
 #include "options.h"
+#include "parallel_tasks.h"
 #include "partial_assembly.h"
 #include "patch_assembly.h"
 #include "progress.h"

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace developable {
 
@@ -45,7 +46,9 @@ enum class Reason {
 	NotLowered = 1,   ///< the local method stalled: G has not fallen for long
 	NothingMoves = 2, ///< the local method stalled: no vertex can move
 	NeedsCut = 3,     ///< so many patches need a cut, and where
-	Unsolvable = 4    ///< the constrained Newton method stalled at a system without a solution in double
+	Unsolvable = 4,   ///< the constrained Newton method stalled at a system without a solution in double
+	TooFar = 5,       ///< a developable shape was found, but farther away than places may go
+	NearlyThere = 6   ///< a cut is needed, but what is left is small
 };
 
 struct ReasonProperties {
@@ -66,6 +69,21 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	 "first of all at ({worst_x}, {worst_y}, {worst_z})"},
 	{Reason::Unsolvable, "UNSOLVABLE",
 	 "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept"},
+	{Reason::TooFar, "TOO_FAR",
+	 "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, "
+	 "first of all at ({worst_x}, {worst_y}, {worst_z}); the nearest developable one found moves a vertex by "
+	 "{nearest_developable}, farther than max_displacement allows"},
+	{Reason::NearlyThere, "NEARLY_THERE",
+	 "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, "
+	 "first of all at ({worst_x}, {worst_y}, {worst_z}); but it is nearly there: laid flat as it is, no edge "
+	 "changes its length by more than {edge_strain_left} %"},
+};
+
+/// How one patch ended.
+struct PatchVerdict {
+	Status status = Status::NothingToDo;
+	Reason reason = Reason::AsStatus;
+	double nearestDevelopable = 0; ///< see OptimizationReport
 };
 
 /// What every optimisation reports. Shapes are compared by the caller, which has both of them.
@@ -75,6 +93,10 @@ struct OptimizationReport {
 	long iterations = 0; ///< outer steps of the global methods, operations attempted of the local method
 	int patchesNeedingCut = 0;
 	std::array<double, 3> worstPosition = {}; ///< where a cut is needed first of all; 0 where none is
+	/// How far the nearest developable shape that was found moves a place, where that is too far: length; 0
+	/// where none was found, or none too far.
+	double nearestDevelopable = 0;
+	std::vector<PatchVerdict> patchVerdicts; ///< empty where the method does not tell patches apart
 };
 
 /// True when the run ended in a developable shape, as that method's tolerances have it.

@@ -94,6 +94,7 @@ void BendingMetric::setSmoothness(const Eigen::VectorXd& smoothness) {
 	lower_ = BendingMatrix(assembly_, placeMass_, smoothness, tuning_.borderStiffness).lower();
 	diagonal_ = lower_.diagonal();
 	stiffness_ = Eigen::VectorXd::Zero(assembly_.triangleCount());
+	weight_ = placeMass_;
 }
 
 void BendingMetric::stiffen(const std::vector<int>& triangles) {
@@ -105,6 +106,13 @@ void BendingMetric::stiffen(const std::vector<int>& triangles) {
 		for (int corner = 0; corner < 3; ++corner)
 			addSpring(places[corner], places[nextCorner(corner)], stiffness_[triangle] - before);
 	}
+}
+
+void BendingMetric::weigh(const Eigen::VectorXd& masses) {
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		if (!assembly_.placeFixed[place])
+			lower_.coeffRef(place, place) += masses[place];
+	weight_ += masses;
 }
 
 bool BendingMetric::tooStiff() const {

@@ -59,6 +59,9 @@ public:
 	/// factorisation.
 	void stiffen(const std::vector<int>& triangles);
 
+	/// Makes places heavier: adds Σ_q mass_q |d_q|². Calls for another factorisation.
+	void weigh(const Eigen::VectorXd& masses);
+
 	/// Whether so many triangles are stiffer that they are no accidents of the triangulation: then the shape
 	/// itself needs a cut.
 	bool tooStiff() const;
@@ -68,6 +71,8 @@ public:
 
 	/// m_q.
 	const Eigen::VectorXd& placeMass() const { return placeMass_; }
+	/// m_q with what places have been made heavier by.
+	const Eigen::VectorXd& weight() const { return weight_; }
 
 	/// The lower triangle of W, the same for all three coordinates.
 	const SparseMatrix& matrix() const { return lower_; }
@@ -90,7 +95,7 @@ private:
 
 	const PatchAssembly& assembly_;
 	const NewtonTuning tuning_;
-	Eigen::VectorXd placeMass_;
+	Eigen::VectorXd placeMass_, weight_;
 	SparseMatrix lower_;
 	Eigen::VectorXd diagonal_;  // of the matrix at first
 	Eigen::VectorXd stiffness_; // ρ, per triangle

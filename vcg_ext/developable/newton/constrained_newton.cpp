@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// constrained_newton.cpp: checks, the run, and what the report says of it.
+// constrained_newton.cpp: checks, all parts by themselves, and what the report says of them.
 #include "constrained_newton.h"
 
-#include "frozen_panels.h"
+#include "newton_part.h"
 
 namespace developable {
 
@@ -10,8 +10,9 @@ namespace {
 
 using namespace detail;
 
-/// Of the work, as far as one can tell: what all patches together take before some are frozen.
-constexpr double shareOfAllTogether = 0.7;
+/// Places beyond which a part's factors take so much memory that parts are solved one after the other.
+constexpr int largePart = 100000;
+constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
 void requireValid(const ConstrainedNewtonOptions& options) {
 	requireOption(options.curvatureTolerance > 0, "The curvature tolerance must be greater than 0.");
@@ -20,41 +21,48 @@ void requireValid(const ConstrainedNewtonOptions& options) {
 	requireOption(options.smoothness > 0 && options.smoothness <= 1,
 				  "The smoothness must be greater than 0 and at most 1.");
 	requireOption(options.fairness >= 0 && options.fairness <= 1, "The fairness must be between 0 and 1.");
+	requireOption(std::isfinite(options.maxDisplacement), "The largest displacement must be a number.");
 	requireOption(options.memoryLimit >= 0, "The limit of memory must not be negative.");
+	requireOption(options.threads >= 0, "The number of threads must not be negative.");
 }
 
-/// All patches together; then, where that is stuck, those that need no cut without the others.
-NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start, const NewtonStrategy& strategy,
-					const Progress& progress) {
-	const bool mayFreeze = assembly.patchCount() > 1 && !holdsPlaces(assembly);
-	const double share = mayFreeze ? shareOfAllTogether : 1;
-	NewtonOutcome outcome = strategy.solve(assembly, start, partOf(progress, 0, share));
-	if (outcome.ending == Ending::Stopped)
-		return outcome;
-	if (!better(assembly, flatDefects(assembly, outcome.positions), flatDefects(assembly, start)))
-		outcome.positions = start;
-	if (outcome.ending != Ending::Stuck || !mayFreeze)
-		return outcome;
-	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
-	return FrozenPanels(assembly, start, strategy, progressOfOthers).finishOthers(outcome);
-}
-
-/// Without held places nothing else than the shape itself can stand in the way.
-Status statusOf(Ending ending, const PatchAssembly& assembly) {
-	switch (ending) {
-	case Ending::Reached:
-		return Status::Converged;
-	case Ending::Settled:
-	case Ending::Stuck:
-		return holdsPlaces(assembly) ? Status::Stalled : Status::NeedsCut;
-	case Ending::Unsolvable:
-		return Status::Stalled;
-	case Ending::OutOfSteps:
-		return Status::LimitReached;
-	case Ending::Stopped:
-		return Status::Stopped;
+/// Each part by itself. What comes of one depends neither on the others nor on the number of threads.
+std::vector<PartOutcome> solveParts(const std::vector<AssemblyPart>& parts, const Positions& positions,
+									const ConstrainedNewtonOptions& options, const Progress& progress) {
+	std::vector<PartOutcome> outcomes(parts.size());
+	std::vector<Task> small, large;
+	double smallWork = 0, largeWork = 0;
+	for (std::size_t i = 0; i < parts.size(); ++i) {
+		const int places = parts[i].assembly.placeCount();
+		const double work = std::pow(places, growth);
+		const std::string prefix =
+			parts.size() > 1 ? "part " + std::to_string(i + 1) + " of " + std::to_string(parts.size()) + ": "
+							 : "";
+		const bool isLarge = places > largePart;
+		(isLarge ? largeWork : smallWork) += work;
+		(isLarge ? large : small).push_back({work, [&, i, prefix](const Progress& progressOfPart) {
+												 outcomes[i] =
+													 solvePart(parts[i].assembly,
+															   positions(Eigen::all, parts[i].wholePlace),
+															   options, partOf(progressOfPart, 0, 1, prefix));
+											 }});
 	}
-	return Status::Stalled;
+	const double share = largeWork / (largeWork + smallWork);
+	runTasks(large, 1, partOf(progress, 0, share));
+	runTasks(small, options.threads, partOf(progress, share, 1));
+	return outcomes;
+}
+
+/// Of several parts the one that asks most of the user; of equals the first.
+const PartOutcome& worstOf(const std::vector<PartOutcome>& outcomes) {
+	constexpr Status order[] = {Status::Stopped,      Status::NeedsCut,  Status::Stalled,
+								Status::LimitReached, Status::Converged, Status::NothingToDo};
+	const auto rank = [&](const PartOutcome& outcome) {
+		return std::pair(std::find(std::begin(order), std::end(order), outcome.status),
+						 outcome.nearestDevelopable > 0);
+	};
+	return *std::min_element(outcomes.begin(), outcomes.end(),
+							 [&](const PartOutcome& a, const PartOutcome& b) { return rank(a) < rank(b); });
 }
 
 /// What of the report is read off the shape.
@@ -72,13 +80,38 @@ void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects
 }
 
 /// How many patches need a cut, and where.
-void describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions, const CurvatureGoal& goal,
+void describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions, const PartOutcome& worst,
 					   ConstrainedNewtonReport& report) {
-	const auto unmet = goal.unmetPatches(assembly, flatDefects(assembly, positions));
 	const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
-	report.reason = Reason::NeedsCut;
-	report.patchesNeedingCut = static_cast<int>(unmet.count());
+	report.reason = worst.nearestDevelopable > 0 ? Reason::TooFar : Reason::NeedsCut;
+	report.nearestDevelopable = worst.nearestDevelopable;
+	report.patchesNeedingCut = static_cast<int>(
+		std::count_if(report.patchVerdicts.begin(), report.patchVerdicts.end(),
+					  [](const PatchVerdict& verdict) { return verdict.status == Status::NeedsCut; }));
 	report.worstPosition = {at[0], at[1], at[2]};
+}
+
+PatchVerdict verdictOf(const PartOutcome& outcome) {
+	const Reason reason = outcome.ending == Ending::Unsolvable ? Reason::Unsolvable
+						  : outcome.status == Status::NeedsCut && outcome.nearestDevelopable > 0
+							  ? Reason::TooFar
+							  : Reason::AsStatus;
+	return {outcome.status, reason, outcome.nearestDevelopable};
+}
+
+/// Of each patch; within a part that has not got there some patches may have.
+std::vector<PatchVerdict> patchVerdicts(const PatchAssembly& assembly, const Positions& positions,
+										const CurvatureGoal& goal, const std::vector<AssemblyPart>& parts,
+										const std::vector<PartOutcome>& outcomes) {
+	const auto unmet = goal.unmetPatches(assembly, flatDefects(assembly, positions));
+	std::vector<PatchVerdict> verdicts(assembly.patchCount());
+	for (std::size_t i = 0; i < parts.size(); ++i)
+		for (const int patch : parts[i].wholePatch)
+			if (unmet[patch])
+				verdicts[patch] = verdictOf(outcomes[i]);
+			else if (outcomes[i].status != Status::NothingToDo)
+				verdicts[patch].status = Status::Converged;
+	return verdicts;
 }
 
 } // namespace
@@ -89,25 +122,24 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 	requireOpenPatches(assembly);
 	requireFreePlaces(assembly);
 	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance};
+	const std::vector<AssemblyPart> parts = partsOf(assembly);
+	const std::vector<PartOutcome> outcomes = solveParts(parts, positions, options, neverBack(progress));
+	const PartOutcome& worst = worstOf(outcomes);
 	ConstrainedNewtonReport report;
-	const Eigen::VectorXd defects = flatDefects(assembly, positions);
-	if (goal.reached(assembly, defects)) {
-		describeShape(assembly, defects, report);
-		return report;
+	report.status = worst.status;
+	for (const PartOutcome& outcome : outcomes) {
+		report.iterations += outcome.iterations;
+		report.smoothness = std::max(report.smoothness, outcome.smoothness);
 	}
-	const NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations, options.memoryLimit,
-								  options.tuning);
-	const NewtonOutcome outcome = solve(assembly, positions, strategy, neverBack(progress));
-	report.status = statusOf(outcome.ending, assembly);
-	report.iterations = outcome.iterations;
-	report.smoothness = outcome.smoothness;
 	if (report.status == Status::Stopped)
 		return report;
-	positions = outcome.positions;
+	for (std::size_t i = 0; i < parts.size(); ++i)
+		positions(Eigen::all, parts[i].wholePlace) = outcomes[i].positions;
+	report.patchVerdicts = patchVerdicts(assembly, positions, goal, parts, outcomes);
 	describeShape(assembly, flatDefects(assembly, positions), report);
 	if (report.status == Status::NeedsCut)
-		describeNeedOfCut(assembly, positions, goal, report);
-	if (outcome.ending == Ending::Unsolvable)
+		describeNeedOfCut(assembly, positions, worst, report);
+	else if (worst.ending == Ending::Unsolvable)
 		report.reason = Reason::Unsolvable;
 	return report;
 }

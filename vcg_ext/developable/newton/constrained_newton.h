@@ -16,9 +16,13 @@ struct ConstrainedNewtonOptions {
 	double smoothness = 3e-6;
 	/// How much the shape's own bending counts, 0 to 1. 0: the surface keeps its own detail.
 	double fairness = 0;
+	/// How far a place of the result may be from where it was originally, length; negative: 15 % of the
+	/// diagonal of its part.
+	double maxDisplacement = -1;
 	/// Bytes that the factor of a linear system may take; more is solved by iteration. 0: what the machine
 	/// has.
 	double memoryLimit = 0;
+	int threads = 0;     ///< on which parts are solved side by side; 0: as many as can work at once
 	NewtonTuning tuning; ///< constants of the method, for experiments
 };
 
@@ -31,10 +35,12 @@ struct ConstrainedNewtonReport : OptimizationReport {
 };
 
 /// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
-/// most the curvature tolerance and no angle defect above the angle tolerance. No triangle is flipped and
+/// most the curvature tolerance and no angle defect above the angle tolerance. No place goes farther than
+/// the largest displacement, not by a bit, whatever the result. No triangle is flipped and
 /// none becomes a sliver (see detail::Soundness). Where that leads nowhere, triangles that are in the way are
 /// made stiffer, and patches then tried again with 4, 16 and 64 times the smoothness; patches that need a cut
-/// do not hold up the others.
+/// do not hold up the others. Parts (see partsOf) are solved each by itself, side by side; the result is the
+/// same to the last bit on any number of threads, and that of a part in any company.
 ///
 /// \param positions  3 x places: where to start, and the result; untouched when stopped. Distance is measured
 ///                   from the assembly's original positions.
@@ -42,6 +48,7 @@ struct ConstrainedNewtonReport : OptimizationReport {
 ///                   Stalled: places that are held still stand in the way, or a linear system can't be solved
 ///                   in double precision; LimitReached; Stopped. When not converged, the result is the
 ///                   soundest near shape found, with less G than at the start.
+///                   Of several parts the worst tells.
 /// \throws ClosedPatch, NothingFree, InvalidParameter
 ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positions& positions,
 										  const ConstrainedNewtonOptions& options,

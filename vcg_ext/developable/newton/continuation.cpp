@@ -4,10 +4,12 @@
 
 namespace developable::detail {
 
-Continuation::Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps)
+Continuation::Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double share)
 	: problem_(problem), run_(run), steps_(steps),
 	  epsilon_(problem.tuning().firstEpsilon * steps.greatestResponse()),
-	  leastEpsilon_(problem.tuning().leastEpsilon * epsilon_) {}
+	  leastEpsilon_(problem.tuning().leastEpsilon * epsilon_) {
+	epsilon_ *= share;
+}
 
 Ending Continuation::follow() {
 	const NewtonTuning& tuning = problem_.tuning();

@@ -11,7 +11,8 @@ namespace developable::detail {
 /// g = 0.
 class Continuation {
 public:
-	Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
+	/// \param share  of the first ε, to begin with
+	Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double share = 1);
 
 	/// \return Settled, when the curvature is all but gone and the distance has settled; Stuck, when it leads
 	///         no further; Reached; Unsolvable; OutOfSteps; Stopped

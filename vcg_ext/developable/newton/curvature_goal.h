@@ -5,14 +5,18 @@
 #include "developable/geometry/geometry.h"
 #include "developable/mesh/mesh.h"
 
+#include <limits>
+
 namespace developable::detail {
 
 /// C of each patch, rad.
 Eigen::ArrayXd patchCurvatures(const PatchAssembly& assembly, const Eigen::VectorXd& defects);
 
-/// When a patch counts as developable.
+/// When a patch counts as developable, and how far from the original it may be.
 struct CurvatureGoal {
 	double curvatureTolerance, angleTolerance; ///< rad
+	/// How far a place of the result may be from where it was, length.
+	double farthest = std::numeric_limits<double>::infinity();
 
 	/// Per patch, whether it is not there yet.
 	Eigen::Array<bool, Eigen::Dynamic, 1> unmetPatches(const PatchAssembly& assembly,

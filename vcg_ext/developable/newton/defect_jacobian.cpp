@@ -26,7 +26,7 @@ DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::Vecto
 		rowScale_[row] = std::sqrt(areas.sum() / areas[copyOfRow_[row]]);
 	for (int row = copyRows(); row < rowCount(); ++row)
 		rowScale_[row] = 1 / std::sqrt(placeMass[turns_.joints()[row - copyRows()][1]]);
-	inverseMass_ = placeMass.cwiseInverse();
+	setPlaceMass(placeMass);
 	findBlocks();
 }
 

@@ -29,6 +29,9 @@ public:
 	/// \param defects  flatDefects there
 	Eigen::VectorXd scaled(const Eigen::VectorXd& defects, const Positions& positions) const;
 
+	/// For massProduct.
+	void setPlaceMass(const Eigen::VectorXd& placeMass) { inverseMass_ = placeMass.cwiseInverse(); }
+
 	/// Moves on to the derivative at these positions.
 	void linearize(const Positions& positions);
 

@@ -11,7 +11,8 @@ FrozenPanels::FrozenPanels(const PatchAssembly& assembly, const Positions& start
 	  frozen_(Patches::Constant(assembly.patchCount(), false)) {}
 
 NewtonOutcome FrozenPanels::finishOthers(NewtonOutcome outcome) {
-	for (Patches left = unmet(outcome.positions); left.count() > 1 && outcome.ending != Ending::Stopped;
+	for (Patches left = unmet(outcome.positions);
+		 left.count() > 1 && outcome.ending != Ending::Stopped && !strategy_.budget().spent();
 		 left = unmet(outcome.positions) && !frozen_) {
 		freezeWorst(left, outcome.positions);
 		PartialAssembly others =

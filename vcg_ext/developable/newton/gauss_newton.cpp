@@ -4,8 +4,8 @@
 
 namespace developable::detail {
 
-GaussNewton::GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens)
-	: problem_(problem), run_(run), stiffens_(stiffens), solver_(problem),
+GaussNewton::GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens, double farthest)
+	: problem_(problem), run_(run), stiffens_(stiffens), farthest_(farthest), solver_(problem),
 	  multipliers_(Eigen::VectorXd::Zero(problem.jacobian().rowCount())),
 	  unsolvable_(!problem.metric().factorize()) {
 	if (unsolvable_)
@@ -38,7 +38,7 @@ double GaussNewton::step(double tau, double epsilon) {
 						 problem_.jacobian().apply(whole).dot(run_.shape().scaledDefects) / epsilon;
 	return run_.descend(
 		whole, [&](const Shape& shape) { return merit(shape, tau, epsilon); }, slope,
-		problem_.tuning().halvings);
+		problem_.tuning().halvings, farthest_);
 }
 
 Positions GaussNewton::direction(double tau, double epsilon) {

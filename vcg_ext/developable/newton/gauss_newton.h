@@ -14,7 +14,12 @@ namespace developable::detail {
 class GaussNewton {
 public:
 	/// \param stiffens  whether triangles that a step would spoil are made stiffer
-	GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens);
+	/// \param farthest  that steps may bring a place from where it was, length
+	GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens,
+				double farthest = std::numeric_limits<double>::infinity());
+
+	/// From now on triangles that a step would spoil are made stiffer.
+	void beginToStiffen() { stiffens_ = true; }
 
 	/// About the greatest eigenvalue of J W⁻¹ Jᵀ where the run begins: what ε compares to.
 	double greatestResponse() const { return greatestResponse_; }
@@ -38,7 +43,8 @@ private:
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;
-	const bool stiffens_;
+	bool stiffens_;
+	const double farthest_;
 	MultiplierSolver solver_;
 	Eigen::VectorXd multipliers_; // y
 	double greatestResponse_ = 0;

@@ -5,11 +5,11 @@
 namespace developable::detail {
 
 MultiplierSolver::MultiplierSolver(NewtonProblem& problem)
-	: problem_(problem), inverseMass_(problem.metric().placeMass().cwiseInverse()),
-	  factorization_(problem.memoryLimit()) {}
+	: problem_(problem), factorization_(problem.memoryLimit()) {}
 
 Eigen::VectorXd MultiplierSolver::apply(const Eigen::VectorXd& multipliers) const {
 	const DefectJacobian& jacobian = problem_.jacobian();
+	problem_.budget().spend(problem_.assembly().placeCount());
 	return jacobian.apply(problem_.metric().solve(jacobian.applyTransposed(multipliers)));
 }
 
@@ -22,6 +22,7 @@ double MultiplierSolver::findGreatestResponse(Eigen::VectorXd start) {
 bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
 							 const std::function<bool()>& mayGoOn) {
 	const NewtonTuning& tuning = problem_.tuning();
+	inverseMass_ = problem_.metric().weight().cwiseInverse();
 	// Should rounding spoil K, plain conjugate gradients remain.
 	const bool withPreconditioner =
 		epsilon < tuning.plainAbove * greatestResponse_ &&

@@ -4,6 +4,7 @@
 
 #include "continuation.h"
 #include "restoration.h"
+#include "return_within_bound.h"
 
 namespace developable::detail {
 
@@ -22,24 +23,48 @@ Positions withoutSymmetry(const NewtonProblem& problem, const Positions& start) 
 	for (int place = 0; place < moved.cols(); ++place)
 		if (problem.assembly().placeFixed[place])
 			moved.col(place) = start.col(place);
-	return problem.soundness().holds(moved) ? moved : start;
+	const bool near = problem.shapeAt(moved).farthest <= problem.goal().farthest;
+	return near && problem.soundness().holds(moved) ? moved : start;
 }
 
 /// A continuation and, where that has not reached g = 0 by itself, a restoration.
-Ending approach(NewtonProblem& problem, NewtonRun& run, bool stiffens) {
-	GaussNewton steps(problem, run, stiffens);
-	if (steps.unsolvable())
-		return Ending::Unsolvable;
-	Continuation continuation(problem, run, steps);
+Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, Continuation& continuation) {
 	const Ending ending = continuation.follow();
 	if (ending != Ending::Settled && ending != Ending::Stuck)
 		return ending;
 	return Restoration(problem, run, steps, continuation.epsilon()).restore();
 }
 
-/// A developable shape that is not near the original any more is none that was looked for.
-Ending nearOrStuck(Ending ending, const NewtonRun& run) {
-	return run.farOff() ? Ending::Stuck : ending;
+/// A developable shape that is farther away than places may go is none that was looked for, but there may be
+/// one near it that is.
+/// \param nearest  becomes how far the nearest developable shape moves a place, where that is too far
+Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussNewton& steps,
+				   double& nearest) {
+	if (!run.farOff())
+		return ending;
+	ReturnWithinBound way(problem, run, steps);
+	const Ending ofReturn = way.run();
+	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
+		return ofReturn;
+	nearest = nearest > 0 ? std::min(nearest, way.nearest()) : way.nearest();
+	return Ending::Stuck;
+}
+
+/// From the start to a developable shape within the bound on displacements.
+Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& nearest) {
+	GaussNewton steps(problem, run, stiffens);
+	if (steps.unsolvable())
+		return Ending::Unsolvable;
+	Continuation continuation(problem, run, steps);
+	const Ending ending = approach(problem, run, steps, continuation);
+	return withinBound(ending, problem, run, steps, nearest);
+}
+
+/// Triangles all over were in the way and much curvature is left: the shape itself needs a cut, and a
+/// smoother displacement would not help it.
+bool hopeless(const NewtonProblem& problem, const NewtonRun& run) {
+	return problem.metric().tooStiff() &&
+		   run.shape().curvature > problem.tuning().settledCurvature * run.startCurvature();
 }
 
 Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
@@ -48,7 +73,8 @@ Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
 
 /// What an attempt says, as its part of all: the first most often is the only one.
 Progress progressOfAttempt(const Progress& progress, int attempt) {
-	const double begin = 1 - std::pow(0.5, attempt), end = 1 - std::pow(0.5, attempt + 1);
+	constexpr double left = 0.4; // of what is left, to the attempts behind
+	const double begin = 1 - std::pow(left, attempt), end = 1 - std::pow(left, attempt + 1);
 	return partOf(progress, begin, end);
 }
 
@@ -60,11 +86,12 @@ NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, 
 	problem.jacobian().freeBorders(false);
 	const Progress progressOfThis = progressOfAttempt(progress, 0);
 	NewtonRun run(problem, withoutSymmetry(problem, start), steps, progressOfThis);
-	Ending ending = nearOrStuck(approach(problem, run, false), run);
+	double nearest = 0;
+	Ending ending = attempt(problem, run, false, nearest);
 	if (ending == Ending::OutOfSteps && steps < maxIterations)
 		ending = Ending::Stuck;
 	const bool moved = ending != Ending::Stuck && run.iterations() > 0;
-	return {ending, run.iterations(), moved ? run.nearest() : start, smoothness};
+	return {ending, run.iterations(), moved ? run.nearest() : start, smoothness, nearest};
 }
 
 } // namespace
@@ -79,26 +106,31 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 	if (best.ending != Ending::Stuck)
 		return best;
 	problem.jacobian().freeBorders(true);
-	for (int attempt = 0; attempt < tuning.attempts; ++attempt) {
+	for (int i = 0; i < tuning.attempts; ++i) {
 		problem.setSmoothness(smoothnesses);
-		const Progress progressOfThis = progressOfAttempt(progress, attempt + 1);
+		const Progress progressOfThis = progressOfAttempt(progress, i + 1);
 		NewtonRun run(problem, withoutSymmetry(problem, start), maxIterations - best.iterations, progressOfThis);
-		best.ending = nearOrStuck(approach(problem, run, attempt > 0), run);
+		best.ending = attempt(problem, run, i > 0, best.nearestDevelopable);
 		best.iterations += run.iterations();
-		if (best.ending == Ending::OutOfSteps && attempt > 0) // the attempts before had ended by themselves
+		// The attempts before had ended by themselves, and stiffer triangles are what can't be solved for.
+		const bool gaveUp = best.ending == Ending::OutOfSteps || best.ending == Ending::Unsolvable;
+		if (gaveUp && (i > 0 || problem.budget().spent()))
 			best.ending = Ending::Stuck;
 		if (best.ending == Ending::Stopped)
 			break;
 		const Eigen::VectorXd defects = flatDefects(assembly, run.nearest());
 		// A little less curvature is not worth the greater distance of a second attempt.
-		if (better(assembly, defects, leastDefects, attempt == 0 ? 1 : tuning.worthwhile)) {
+		if (better(assembly, defects, leastDefects, i == 0 ? 1 : tuning.worthwhile)) {
 			leastDefects = defects;
 			best.positions = run.nearest();
 			best.smoothness = smoothnesses.maxCoeff();
 		}
-		if (best.ending != Ending::Stuck || run.farOff()) // more smoothness leads farther still
+		if (best.ending != Ending::Stuck ||
+			best.nearestDevelopable > 0) // more smoothness leads farther still
 			break;
-		if (attempt > 0)
+		if (problem.budget().spent() || hopeless(problem, run))
+			break;
+		if (i > 0)
 			smoothnesses = problem.goal()
 							   .unmetPatches(assembly, defects)
 							   .select(tuning.smoothnessIncrease * smoothnesses, smoothnesses);
@@ -111,13 +143,13 @@ NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double
 	problem.setSmoothness(sameForAll(problem, smoothness));
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, start, maxIterations, progress);
-	GaussNewton steps(problem, run, true);
+	GaussNewton steps(problem, run, true, problem.goal().farthest);
 	Ending ending = Ending::Unsolvable;
 	if (!steps.unsolvable()) {
 		const double epsilon = Continuation(problem, run, steps).leastEpsilon();
 		ending = Restoration(problem, run, steps, epsilon).restore();
 	}
-	return {nearOrStuck(ending, run), run.iterations(), run.nearest(), smoothness};
+	return {ending, run.iterations(), run.nearest(), smoothness};
 }
 
 } // namespace developable::detail

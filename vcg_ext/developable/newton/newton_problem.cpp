@@ -17,6 +17,7 @@ NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const CurvatureGoal&
 
 void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
 	metric_.setSmoothness(smoothness.array() + shapeSmoothness_);
+	jacobian_.setPlaceMass(metric_.weight());
 }
 
 /// The original where rounding spoils the system.
@@ -33,6 +34,11 @@ Shape NewtonProblem::shapeAt(const Positions& positions) const {
 	return {positions, jacobian_.scaled(defects, positions), defects.cwiseAbs().sum(),
 			(positions - assembly_.originalPositions).colwise().norm().maxCoeff(),
 			goal_.reached(assembly_, defects)};
+}
+
+void NewtonProblem::weigh(const Eigen::VectorXd& masses) {
+	metric_.weigh(masses);
+	jacobian_.setPlaceMass(metric_.weight());
 }
 
 bool NewtonProblem::stiffenFor(const Positions& positions) {

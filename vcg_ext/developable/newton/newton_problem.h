@@ -6,6 +6,9 @@
 #include "curvature_goal.h"
 #include "defect_jacobian.h"
 #include "soundness.h"
+#include "work_budget.h"
+
+#include <memory>
 
 namespace developable::detail {
 
@@ -41,13 +44,11 @@ public:
 
 	Shape shapeAt(const Positions& positions) const;
 
-	/// How far a place may go on the way, and in a developable shape: further away it is not a shape near
-	/// the original any more. Length.
-	double farthest() const { return tuning_.farthest * diagonal_; }
-	double farthestReached() const { return tuning_.farthestReached * diagonal_; }
-
 	/// From what the shape is to be near.
 	Positions displacement(const Shape& shape) const { return shape.positions - aim_; }
+
+	/// Makes places heavier, see BendingMetric.
+	void weigh(const Eigen::VectorXd& masses);
 
 	/// Where a step would spoil triangles they are made stiffer. \return whether there are any
 	bool stiffenFor(const Positions& positions);
@@ -62,6 +63,10 @@ public:
 	DefectJacobian& jacobian() { return jacobian_; }
 	const Soundness& soundness() const { return soundness_; }
 
+	/// What all work on this problem is taken from; at first without limit.
+	WorkBudget& budget() const { return *budget_; }
+	void setBudget(std::shared_ptr<WorkBudget> budget) { budget_ = std::move(budget); }
+
 private:
 	Positions smoothed(double smoothness);
 
@@ -74,6 +79,7 @@ private:
 	Soundness soundness_;
 	double shapeSmoothness_; // φ
 	Positions aim_;          // x*
+	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 };
 
 } // namespace developable::detail

@@ -21,12 +21,16 @@ std::string describeCurvature(double start, double left, int steps) {
 
 NewtonRun::NewtonRun(const NewtonProblem& problem, const Positions& start, int maxIterations,
 					 const Progress& progress)
-	: problem_(problem), progress_(progress), maxIterations_(maxIterations), lastNear_(start) {
+	: problem_(problem), progress_(progress), maxIterations_(maxIterations), start_(start), lastNear_(start) {
 	moveTo(problem.shapeAt(start));
 	startCurvature_ = shape_.curvature;
 }
 
 bool NewtonRun::takeStep() {
+	return !problem_.budget().spent() && takeCheapStep();
+}
+
+bool NewtonRun::takeCheapStep() {
 	if (iterations_ >= maxIterations_)
 		return false;
 	++iterations_;
@@ -44,6 +48,7 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 	double length = 1;
 	for (int halving = 0; halving <= halvings; ++halving, length /= 2) {
 		Positions move = length * direction;
+		pullBack(move, farthest);
 		if (!problem_.soundness().spare(shape_.positions, move))
 			continue;
 		Shape next = problem_.shapeAt(shape_.positions + move);
@@ -55,13 +60,24 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 	return 0;
 }
 
-const Positions& NewtonRun::nearest() const {
-	return shape_.reached && endsNear() ? shape_.positions : lastNear_;
+void NewtonRun::pullBack(Positions& move, double farthest) const {
+	const Positions& original = problem_.assembly().originalPositions;
+	for (int place = 0; place < move.cols(); ++place) {
+		const Eigen::Vector3d displacement =
+			shape_.positions.col(place) + move.col(place) - original.col(place);
+		const double distance = displacement.norm();
+		if (!(distance > farthest))
+			continue;
+		// What rounding adds to a position stays below some last bits of its coordinates.
+		const double rounding =
+			8 * std::numeric_limits<double>::epsilon() * (original.col(place).norm() + farthest);
+		move.col(place) += (std::max(0.0, farthest - rounding) / distance - 1) * displacement;
+	}
 }
 
 void NewtonRun::moveTo(Shape shape) {
 	shape_ = std::move(shape);
-	if (shape_.farthest <= problem_.farthest())
+	if (isNear())
 		lastNear_ = shape_.positions;
 }
 

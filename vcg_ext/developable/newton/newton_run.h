@@ -29,8 +29,13 @@ public:
 	int iterations() const { return iterations_; }
 	double startCurvature() const { return startCurvature_; }
 
-	/// Counts a step. \return false when there have been as many as may be
+	/// Back to where it began; steps are counted on.
+	void restart() { moveTo(problem_.shapeAt(start_)); }
+
+	/// Counts a step. \return false when there have been as many as may be, or the work is spent
 	bool takeStep();
+	/// The same for a step that costs little and is not taken from the budget of work.
+	bool takeCheapStep();
 
 	/// Tells how far the run is. \return false when the user asks for a stop
 	bool mayGoOn() const;
@@ -40,7 +45,7 @@ public:
 
 	/// The one guarded descent of all steps: goes along a direction, all the way or half of it, a quarter
 	/// and so on, to a sound shape whose merit is lower enough (see descendsEnough). Triangles that would be
-	/// spoilt move as one piece.
+	/// spoilt move as one piece, and places that would go too far are pulled back.
 	///
 	/// \param slope      of the merit along the direction, negative
 	/// \param farthest   that a place may be from where it was, length
@@ -49,14 +54,16 @@ public:
 	double descend(const Positions& direction, const Merit& merit, double slope, int halvings,
 				   double farthest = std::numeric_limits<double>::infinity());
 
-	/// The present shape if it is developable and near; else the last one that was near.
-	const Positions& nearest() const;
+	/// The last shape that was within the bound on displacements; at first the start, which has to be.
+	const Positions& nearest() const { return lastNear_; }
 
-	/// It led to a developable shape, but not to one near the original.
-	bool farOff() const { return shape_.reached && !endsNear(); }
+	/// It led to a developable shape, but farther away than places may go.
+	bool farOff() const { return shape_.reached && !isNear(); }
 
 private:
-	bool endsNear() const { return shape_.farthest <= problem_.farthestReached(); }
+	bool isNear() const { return shape_.farthest <= problem_.goal().farthest; }
+	/// Shortens a move such that no place ends farther from where it was.
+	void pullBack(Positions& move, double farthest) const;
 	void moveTo(Shape shape);
 
 	const NewtonProblem& problem_;
@@ -64,6 +71,7 @@ private:
 	const int maxIterations_;
 	int iterations_ = 0;
 	Shape shape_;
+	const Positions start_;
 	Positions lastNear_;
 	double startCurvature_ = 0;
 };

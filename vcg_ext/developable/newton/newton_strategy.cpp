@@ -13,16 +13,39 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double coarseShare = 0.2; ///< of a level's work that the coarser levels are, as far as one can tell
-constexpr double growth = 1.2;      ///< time goes with this power of the number of places
+constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
-/// The whole displacement, or as much of it as leaves the triangles in order.
+/// The whole displacement, or as much of it as leaves the triangles in order and moves no place too far.
 Positions soundStart(const NewtonProblem& problem, const Positions& displacement) {
 	const Positions& original = problem.assembly().originalPositions;
-	double share = 1;
-	while (share > 1e-3 && !problem.soundness().holds(original + share * displacement))
-		share /= 2;
-	return original + share * displacement;
+	const double margin = 1 - 1e-12;
+	const double farthest = displacement.colwise().norm().maxCoeff();
+	double share = farthest > problem.goal().farthest ? margin * problem.goal().farthest / farthest : 1;
+	for (int halving = 0; halving < 10; ++halving, share /= 2)
+		if (problem.soundness().holds(original + share * displacement))
+			return original + share * displacement;
+	return original;
+}
+
+/// Steps push places against the bound on displacements that others could go without: makes those heavy.
+/// \return whether there are any
+bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape) {
+	const Eigen::VectorXd distances = problem.displacement(shape).colwise().norm();
+	const double limit = problem.tuning().returnAim * problem.goal().farthest;
+	const Eigen::VectorXd more =
+		(distances.array() > limit).select(problem.tuning().heavyPlace * problem.metric().placeMass(), 0);
+	problem.weigh(more);
+	return more.maxCoeff() > 0;
+}
+
+/// What a part of so many places takes on all its levels, as far as one can tell before; in units of
+/// WorkBudget: most of it on the coarsest, and steps along the normals on the others.
+double expectedWork(double places, const NewtonTuning& tuning) {
+	constexpr double ofCoarsest = 900, ofFiner = 200; // a place
+	if (places <= tuning.coarsest)
+		return ofCoarsest * places;
+	return ofFiner * places +
+		   expectedWork(std::max<double>(tuning.coarsest, places / tuning.levelRatio), tuning);
 }
 
 /// What is about to be done, and how long it may take.
@@ -41,6 +64,15 @@ NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const Curvatu
 							   double memoryLimit, const NewtonTuning& tuning)
 	: smoothness_(smoothness), fairness_(fairness), goal_(goal), maxIterations_(maxIterations), memoryLimit_(memoryLimit),
 	  tuning_(tuning) {}
+
+/// With less room to move, for what the finest level adds.
+NewtonStrategy NewtonStrategy::coarser() const {
+	NewtonStrategy result = *this;
+	if (!isCoarse_)
+		result.goal_.farthest *= tuning_.coarseRoom;
+	result.isCoarse_ = true;
+	return result;
+}
 
 NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positions& start,
 									const Progress& progress) const {
@@ -65,7 +97,9 @@ NewtonOutcome NewtonStrategy::solveShortest(const PatchAssembly& assembly, const
 NewtonProblem NewtonStrategy::problemOf(const Level& level) const {
 	NewtonTuning tuning = tuning_;
 	tuning.borderTurn *= level.coarseness;
-	return {level.assembly, goal_, tuning, memoryLimit_, fairness_, smoothness_};
+	NewtonProblem problem(level.assembly, goal_, tuning, memoryLimit_, fairness_, smoothness_);
+	problem.setBudget(budget_);
+	return problem;
 }
 
 Positions NewtonStrategy::aimOf(const Level& level) const {
@@ -86,10 +120,13 @@ NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& st
 	const double sizes = double(places) / coarse.assembly.placeCount();
 	const Level coarseLevel{coarse.assembly, level.coarseness * std::sqrt(sizes)};
 
+	const double coarseShare =
+		expectedWork(coarse.assembly.placeCount(), tuning_) / expectedWork(places, tuning_);
 	const auto begin = std::chrono::steady_clock::now();
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-	NewtonOutcome coarseOutcome = solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
+	NewtonOutcome coarseOutcome =
+		coarser().solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
 	if (coarseOutcome.ending == Ending::Stopped)
 		return coarseOutcome;
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
@@ -99,19 +136,21 @@ NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& st
 	return refine(level, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
 }
 
-/// Where held places leave no way to g = 0, steps along the normals go on to the least squares of it.
+/// Where held places, or the bound on displacements, leave no way to g = 0, steps along the normals go on to
+/// the least squares of it.
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
 											const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
 	NewtonProblem problem = problemOf(level);
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
-	if (outcome.ending != Ending::Stuck || !holdsPlaces(assembly) || stepsLeft <= 0)
+	const bool hemmedIn = holdsPlaces(assembly) || outcome.nearestDevelopable > 0;
+	if (outcome.ending != Ending::Stuck || !hemmedIn || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
-	const Ending ending = NormalSteps(problem, run, problem.farthest()).run();
+	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	outcome.iterations += run.iterations();
 	outcome.positions = run.shape().positions;
 	// Least squares are approached slowly: to run out of steps there is no more than to be stuck.
@@ -129,17 +168,20 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 	problem.jacobian().freeBorders(true);
 	const Positions moved = problem.aim() + displacement - assembly.originalPositions;
 	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
-	// With a coarse solution at hand what is left to do is little; without one, more may do harm.
 	const bool solved = coarse.ending == Ending::Reached;
-	const double farthest = solved ? problem.diagonal() : std::max(problem.farthest(), run.shape().farthest);
-	const Ending ending = NormalSteps(problem, run, farthest).run();
-	NewtonOutcome outcome{ending, run.iterations(), run.shape().positions, coarse.smoothness};
+	Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
+	if (ending == Ending::Stuck && solved && weighPlacesAtBound(problem, run.shape())) {
+		run.restart();
+		ending = NormalSteps(problem, run, problem.goal().farthest).run();
+	}
+	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.smoothness,
+						  coarse.nearestDevelopable};
 	if (ending != Ending::Stuck || !solved)
 		return outcome;
 	const NewtonOutcome restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
 	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
-			std::max(coarse.smoothness, restored.smoothness)};
+			std::max(coarse.smoothness, restored.smoothness), coarse.nearestDevelopable};
 }
 
 } // namespace developable::detail

@@ -20,6 +20,10 @@ public:
 	const CurvatureGoal& goal() const { return goal_; }
 	const NewtonTuning& tuning() const { return tuning_; }
 
+	const WorkBudget& budget() const { return *budget_; }
+	/// What all work from now on is taken from; at first without limit.
+	void setBudget(std::shared_ptr<WorkBudget> budget) { budget_ = std::move(budget); }
+
 	/// From coarse to fine, all patches together.
 	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
 						const Progress& progress) const;
@@ -34,17 +38,21 @@ private:
 	/// What the shape is to be near, see NewtonProblem::aim.
 	Positions aimOf(const Level& level) const;
 	/// What is developable but for rounding needs no more than that. Stuck where it is not.
-	NewtonOutcome solveShortest(const PatchAssembly& assembly, const Positions& start, const Progress& progress) const;
+	NewtonOutcome solveShortest(const PatchAssembly& assembly, const Positions& start,
+								const Progress& progress) const;
 	NewtonOutcome solveLevel(const Level& level, const Positions& start, const Progress& progress) const;
+	NewtonStrategy coarser() const;
 	NewtonOutcome solveCoarsest(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome refine(const Level& level, const Positions& displacement, const NewtonOutcome& coarse,
 						 const Progress& progress) const;
 
-	const double smoothness_, fairness_;
-	const CurvatureGoal goal_;
-	const int maxIterations_;
-	const double memoryLimit_;
-	const NewtonTuning tuning_;
+	double smoothness_, fairness_;
+	CurvatureGoal goal_;
+	int maxIterations_;
+	double memoryLimit_;
+	NewtonTuning tuning_;
+	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
+	bool isCoarse_ = false; // another one is at work on the finest level
 };
 
 } // namespace developable::detail

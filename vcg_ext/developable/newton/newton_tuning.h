@@ -76,11 +76,22 @@ struct NewtonTuning {
 	int stiffTriangles = 20;      ///< fewer are no sign of anything
 
 	// What counts as a sound shape near the original.
-	double sliverShare = 0.5;      ///< of the smallest angle of the original
-	double sliverAngle = 2;        ///< degrees; angles above it are no slivers in any case
-	double sliverMargin = 1.01;    ///< for what rounding to the host's scalar may take away
-	double farthest = 0.2;         ///< share of the diagonal that a place may go on the way
-	double farthestReached = 0.22; ///< and in a developable shape
+	double sliverShare = 0.5;   ///< of the smallest angle of the original
+	double sliverAngle = 2;     ///< degrees; angles above it are no slivers in any case
+	double sliverMargin = 1.01; ///< for what rounding to the host's scalar may take away
+
+	// Back to within the bound on displacements.
+	int returnRounds = 6;         ///< each with heavier places
+	double returnEpsilon = 0.03;  ///< share of the first, at which a round begins
+	double returnAim = 0.95;      ///< share of the bound beyond which places are made heavier
+	double heavyPlace = 1000;     ///< of its mass, at the bound on a finer level
+	double returnProgress = 0.97; ///< share of the nearest so far that a round may leave
+	double returnReach = 3;       ///< of the bound: shapes farther away are given up
+
+	// How much work a part may take, in units of WorkBudget: some three times the paper's 200 steps.
+	double workPerPlace = 1200;
+	double workOnSmall = 3e6;  ///< at least: seconds
+	double workTogether = 0.6; ///< share of it before patches are frozen
 
 	// A start without symmetry.
 	double symmetryBreaking = 1e-4; ///< share of the diagonal
@@ -94,6 +105,7 @@ struct NewtonTuning {
 	// Levels.
 	int coarsest = 1500;              ///< places; so few are solved directly
 	double levelRatio = 4;            ///< between the numbers of places of two levels
+	double coarseRoom = 0.95;         ///< share of the bound on displacements that a coarser level has
 	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while
 	double prolongationBending = 0.3; ///< β in units of (A/n)²: waves below five coarse edges are left out
 	double prolongationMass = 1e-6;   ///< share of its mass that a place has which the coarse level has not

@@ -13,7 +13,7 @@ Ending NormalSteps::run() {
 	for (int idle = 0; !run_.shape().reached;) {
 		if (!run_.mayGoOn())
 			return Ending::Stopped;
-		if (!run_.takeStep())
+		if (!run_.takeCheapStep())
 			return Ending::OutOfSteps;
 		const double before = squaredDefects();
 		const double length = factorize() ? stepsWithOneFactorization() : 0;

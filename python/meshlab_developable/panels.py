@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What an optimisation did to each panel, read from the attributes that it leaves on the faces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from meshlab_developable.reports import PanelReport
+
+_ATTRIBUTES = {  # of the faces, by the report's field
+    "status": "panel_status",
+    "reason": "panel_reason",
+    "curvature_before": "panel_curvature_before",
+    "curvature_after": "panel_curvature",
+    "max_angle_defect": "panel_max_angle_defect",
+    "mean_displacement": "panel_mean_displacement",
+    "max_displacement": "panel_max_displacement",
+    "nearest_developable": "panel_nearest_developable",
+}
+
+
+def panel_reports(mesh: Any) -> list[PanelReport]:
+    """Of each panel of a mesh of pymeshlab's that Global or Local Developability has worked on, in order;
+    none of other meshes, or when the run was stopped."""
+    try:
+        panel_of_face = mesh.face_custom_scalar_attribute_array("panel")
+    except Exception:  # pymeshlab's own, where there is no such attribute
+        return []
+    panels, first, counts = np.unique(panel_of_face, return_index=True, return_counts=True)
+    columns = {
+        field: mesh.face_custom_scalar_attribute_array(name)[first] for field, name in _ATTRIBUTES.items()
+    }
+    worst = mesh.face_custom_point_attribute_matrix("panel_worst_point")[first]
+    reports = []
+    for row in np.flatnonzero(panels >= 0):
+        numbers: dict[str, Any] = {field: float(column[row]) for field, column in columns.items()}
+        numbers |= {"status": int(numbers["status"]), "reason": int(numbers["reason"])}
+        place = tuple(map(float, worst[row]))
+        index, faces = int(panels[row]), int(counts[row])
+        reports.append(
+            PanelReport.from_values(numbers | {"index": index, "faces": faces, "worst_point": place})
+        )
+    return reports

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/newton_checks.h"
+
+namespace developable::test {
+namespace {
+
+double farthest(const PatchAssembly& assembly, const Positions& positions) {
+	return (positions - assembly.originalPositions).colwise().norm().maxCoeff();
+}
+
+ConstrainedNewtonReport runWithin(const PatchAssembly& assembly, double bound, Positions& positions) {
+	ConstrainedNewtonOptions options;
+	options.maxDisplacement = bound;
+	positions = assembly.originalPositions;
+	return constrainedNewton(assembly, positions, options);
+}
+
+TEST(LargestDisplacement, IsKeptToTheLastBitWhateverTheResult) {
+	for (const Surface& surface : {Surface(wave), Surface(largeSaddle), Surface(steepBump), sphereCap(1)})
+		for (const int columns : {16, 45}) {
+			const PatchAssembly assembly = assembled(jitteredGrid(columns, columns, surface));
+			const double start = measure(assembly, assembly.originalPositions, 1e-4).totalAbsoluteCurvature;
+			for (const double share : {1e-9, 0.003, 0.02, 0.1}) {
+				const double bound = share * boxDiagonal(assembly.originalPositions);
+				Positions positions;
+				const ConstrainedNewtonReport report = runWithin(assembly, bound, positions);
+				EXPECT_LE(farthest(assembly, positions), bound);
+				expectSound(assembly, positions);
+				const double left = measure(assembly, positions, 1e-4).totalAbsoluteCurvature;
+				EXPECT_LE(left, start);
+				if (report.status == Status::Converged)
+					EXPECT_LE(left, 1e-4);
+				else
+					EXPECT_EQ(report.status, Status::NeedsCut);
+				if (report.reason == Reason::TooFar) {
+					EXPECT_GT(report.nearestDevelopable, bound);
+				}
+			}
+		}
+}
+
+TEST(LargestDisplacement, OfNothingMovesNothingAndSaysHowFarTheNearestIs) {
+	const PatchAssembly assembly = assembled(jitteredGrid(16, 16, bumpedCylinder));
+	Positions positions;
+	const ConstrainedNewtonReport report = runWithin(assembly, 0, positions);
+	EXPECT_EQ(positions, assembly.originalPositions);
+	EXPECT_EQ(report.status, Status::NeedsCut);
+	EXPECT_EQ(report.reason, Reason::TooFar);
+	Positions free;
+	EXPECT_EQ(runWithin(assembly, 1e9, free).status, Status::Converged);
+	EXPECT_EQ(report.nearestDevelopable, farthest(assembly, free));
+	ASSERT_EQ(report.patchVerdicts.size(), 1);
+	EXPECT_EQ(report.patchVerdicts[0].nearestDevelopable, report.nearestDevelopable);
+}
+
+TEST(LargestDisplacement, LeavesWaysToShapesThatAreNearerThanTheFirstFound) {
+	for (const Surface& surface : {Surface(steepBump), Surface(largeSaddle), Surface(bumpedCylinder)}) {
+		const PatchAssembly assembly = assembled(jitteredGrid(31, 31, surface));
+		Positions positions;
+		ASSERT_EQ(runWithin(assembly, 1e9, positions).status, Status::Converged);
+		const double bound = 0.9 * farthest(assembly, positions);
+		EXPECT_EQ(runWithin(assembly, bound, positions).status, Status::Converged);
+		EXPECT_LE(farthest(assembly, positions), bound);
+	}
+}
+
+TEST(LargestDisplacement, IsAShareOfEachPartsDiagonalByDefault) {
+	TriangleMesh small = jitteredGrid(12, 12, steepBump), large = small;
+	small.positions *= 1e-2;
+	small.positions.row(0).array() += 10;
+	const PatchAssembly assembly = assembled(together(large, small));
+	Positions positions = assembly.originalPositions;
+	constrainedNewton(assembly, positions, {});
+	for (const AssemblyPart& part : partsOf(assembly)) {
+		const Positions moved = positions(Eigen::all, part.wholePlace) - part.assembly.originalPositions;
+		EXPECT_LE(moved.colwise().norm().maxCoeff(), 0.15 * boxDiagonal(part.assembly.originalPositions));
+	}
+}
+
+TEST(LargestDisplacement, HoldsForStartsThatAreElsewhere) {
+	const PatchAssembly assembly = assembled(jitteredGrid(12, 12, bumpedCylinder));
+	ConstrainedNewtonOptions options;
+	options.maxDisplacement = 0.02;
+	Positions positions = assembly.originalPositions;
+	positions.row(2).array() += 1;
+	constrainedNewton(assembly, positions, options);
+	EXPECT_LE(farthest(assembly, positions), 0.02);
+	options.maxDisplacement = std::nan("");
+	EXPECT_THROW(constrainedNewton(assembly, positions, options), InvalidParameter);
+}
+
+} // namespace
+} // namespace developable::test

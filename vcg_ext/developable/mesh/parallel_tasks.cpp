@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// parallel_tasks.cpp: workers that take one task after the other, and the caller who tells how far they are.
+#include "parallel_tasks.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <system_error>
+#include <thread>
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+namespace developable {
+
+namespace {
+
+constexpr std::chrono::milliseconds pause(20); ///< between two looks at how far the workers are
+
+class TaskRun {
+public:
+	TaskRun(const std::vector<Task>& tasks, const Progress& progress)
+		: tasks_(tasks), progress_(progress), order_(tasks.size()), fractions_(tasks.size(), 0),
+		  errors_(tasks.size()) {
+		std::iota(order_.begin(), order_.end(), 0);
+		std::stable_sort(order_.begin(), order_.end(),
+						 [&](int a, int b) { return tasks[a].work > tasks[b].work; });
+		for (const Task& task : tasks)
+			wholeWork_ += task.work;
+	}
+
+	void inThisThread() {
+		work([this] { return tell(); });
+		rethrow();
+	}
+
+	void onThreads(int count) {
+		std::vector<std::thread> workers;
+		try {
+			while (static_cast<int>(workers.size()) < count)
+				workers.emplace_back([this] {
+					work([this] { return !stop_; });
+					const std::lock_guard lock(mutex_);
+					++ended_;
+					someEnded_.notify_one();
+				});
+		} catch (const std::system_error&) {
+			// Fewer threads do as well.
+		}
+		if (workers.empty())
+			return inThisThread();
+		watch(static_cast<int>(workers.size()));
+		for (std::thread& worker : workers)
+			worker.join();
+		rethrow();
+	}
+
+private:
+	/// \param goOn  asked whenever a task says how far it is
+	template <class GoOn>
+	void work(const GoOn& goOn) {
+		for (std::size_t i = next_++; i < order_.size(); i = next_++) {
+			const int task = order_[i];
+			const Progress progress = [&, task](double fraction, const std::string& message) {
+				note(task, fraction, message);
+				return goOn();
+			};
+			try {
+				tasks_[task].run(progress_ ? progress : Progress());
+			} catch (...) {
+				errors_[task] = std::current_exception();
+			}
+			note(task, 1, "");
+		}
+	}
+
+	void note(int task, double fraction, const std::string& message) {
+		const std::lock_guard lock(mutex_);
+		fractions_[task] = fraction;
+		if (!message.empty())
+			message_ = message;
+	}
+
+	/// \return false once a stop was asked for
+	bool tell() {
+		double done = 0;
+		std::string message;
+		{
+			const std::lock_guard lock(mutex_);
+			for (std::size_t i = 0; i < tasks_.size(); ++i)
+				done += tasks_[i].work * fractions_[i];
+			message = message_;
+		}
+		if (!stop_ && !message.empty() && !mayGoOn(progress_, done / wholeWork_, message))
+			stop_ = true;
+		return !stop_;
+	}
+
+	/// Until all workers have ended. Should telling fail, they are stopped first.
+	void watch(int workers) {
+		std::exception_ptr failure;
+		for (std::unique_lock lock(mutex_); ended_ < workers;) {
+			someEnded_.wait_for(lock, pause, [&] { return ended_ == workers; });
+			lock.unlock();
+			try {
+				if (!failure)
+					tell();
+			} catch (...) {
+				failure = std::current_exception();
+				stop_ = true;
+			}
+			lock.lock();
+		}
+		if (failure)
+			errors_.insert(errors_.begin(), failure);
+	}
+
+	void rethrow() const {
+		for (const std::exception_ptr& error : errors_)
+			if (error)
+				std::rethrow_exception(error);
+	}
+
+	const std::vector<Task>& tasks_;
+	const Progress& progress_;
+	std::vector<int> order_;
+	std::atomic<std::size_t> next_ = 0;
+	std::atomic<bool> stop_ = false;
+	std::mutex mutex_;
+	std::condition_variable someEnded_;
+	int ended_ = 0; ///< workers
+	double wholeWork_ = 0;
+	std::vector<double> fractions_;
+	std::string message_;
+	std::vector<std::exception_ptr> errors_;
+};
+
+} // namespace
+
+int availableThreads() {
+#ifdef __linux__
+	cpu_set_t processors;
+	if (sched_getaffinity(0, sizeof processors, &processors) == 0)
+		return std::max(1, CPU_COUNT(&processors));
+#endif
+	return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void runTasks(const std::vector<Task>& tasks, int threads, const Progress& progress) {
+	const int count =
+		std::min<int>(threads > 0 ? threads : availableThreads(), static_cast<int>(tasks.size()));
+	TaskRun run(tasks, progress);
+	if (count > 1)
+		run.onThreads(count);
+	else
+		run.inThisThread();
+}
+
+} // namespace developable

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// parallel_tasks.h: independent tasks on several threads, with one progress for all of them.
+#pragma once
+
+#include "progress.h"
+
+#include <vector>
+
+namespace developable {
+
+/// A piece of work that has no bearing on any other. When its progress asks for a stop it should end soon.
+struct Task {
+	double work = 1; ///< how much it is beside the others
+	std::function<void(const Progress&)> run;
+};
+
+/// How many threads can work at once: as many as there are processors that this process may use.
+int availableThreads();
+
+/// Runs all tasks, large ones first, and returns when they have ended. Progress is only called from the
+/// calling thread. \param threads  at most so many at once; 0: as many as can work at once
+/// \throws what the first task that failed has thrown, after all have ended
+void runTasks(const std::vector<Task>& tasks, int threads, const Progress& progress);
+
+} // namespace developable

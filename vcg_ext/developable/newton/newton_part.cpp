@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// newton_part.cpp: all patches of a part, then those that are left without the worst.
+#include "newton_part.h"
+
+#include "frozen_panels.h"
+
+namespace developable::detail {
+
+namespace {
+
+/// Of the work, as far as one can tell: what all patches together take before some are frozen.
+constexpr double shareOfAllTogether = 0.7;
+
+constexpr double farthestByDefault = 0.15; ///< share of the part's diagonal
+
+NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStrategy& strategy,
+					const Progress& progress) {
+	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
+	const double share = mayFreeze ? shareOfAllTogether : 1;
+	const NewtonTuning& tuning = strategy.tuning();
+	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
+	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work));
+	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, share));
+	if (outcome.ending == Ending::Stopped)
+		return outcome;
+	if (outcome.ending == Ending::OutOfSteps && strategy.budget().spent())
+		outcome.ending = Ending::Stuck;
+	if (!better(part, flatDefects(part, outcome.positions), flatDefects(part, start)))
+		outcome.positions = start;
+	if (outcome.ending != Ending::Stuck || !mayFreeze)
+		return outcome;
+	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work));
+	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
+	return FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(outcome);
+}
+
+/// Without held places nothing else than the shape itself can stand in the way.
+Status statusOf(Ending ending, const PatchAssembly& part) {
+	switch (ending) {
+	case Ending::Reached:
+		return Status::Converged;
+	case Ending::Settled:
+	case Ending::Stuck:
+		return holdsPlaces(part) ? Status::Stalled : Status::NeedsCut;
+	case Ending::Unsolvable:
+		return Status::Stalled;
+	case Ending::OutOfSteps:
+		return Status::LimitReached;
+	case Ending::Stopped:
+		return Status::Stopped;
+	}
+	return Status::Stalled;
+}
+
+bool anyFree(const PatchAssembly& part) {
+	return std::find(part.placeFixed.begin(), part.placeFixed.end(), 0) != part.placeFixed.end();
+}
+
+} // namespace
+
+PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
+					  const ConstrainedNewtonOptions& options, const Progress& progress) {
+	const Positions& original = part.originalPositions;
+	const double farthest =
+		options.maxDisplacement < 0 ? farthestByDefault * boxDiagonal(original) : options.maxDisplacement;
+	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance, farthest};
+	const bool startsNear = (start - original).colwise().norm().maxCoeff() <= farthest;
+	PartOutcome result;
+	result.positions = startsNear ? start : original;
+	if (goal.reached(part, flatDefects(part, result.positions)))
+		return result;
+	if (!anyFree(part)) {
+		result.status = Status::Stalled;
+		result.ending = Ending::Stuck;
+		return result;
+	}
+	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations, options.memoryLimit,
+							options.tuning);
+	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
+	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
+			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};
+}
+
+} // namespace developable::detail
