@@ -47,7 +47,7 @@ Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& ne
 /// smoother displacement would not help it.
 bool hopeless(const NewtonProblem& problem, const NewtonRun& run) {
 	return problem.metric().tooStiff() &&
-		   run.shape().curvature > problem.tuning().settledCurvature * run.startCurvature();
+		   run.shape().curvature > 0.1 * run.startCurvature();
 }
 
 Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
