@@ -108,11 +108,12 @@ std::vector<Parameter> parameters() {
 					"smoothness", ConstrainedNewtonOptions().smoothness, {0, true, 1}, "", "Smoothness",
 					"how much weight bending has against distance; larger values give fewer wrinkles. "
 					"They also move the surface more.")),
-		onlyFor(Solver::ConstrainedNewton,
-				automaticLength("max_displacement", "Largest displacement",
-								"no vertex ends farther than this from where it was; -1 means 15 % of the "
-								"diagonal of its part, that is of what shares vertices or is sewn together. Any "
-								"negative number means that.")),
+		onlyFor(
+			Solver::ConstrainedNewton,
+			automaticLength(
+				"max_displacement", "Largest displacement",
+				"no vertex ends farther than this from where it was; -1 means 15 % of its part's diagonal. "
+				"A part is what shares vertices or is sewn together; any negative number means that.")),
 		mapParameter(Map::Displacement),
 		colorizeParameter(),
 	};

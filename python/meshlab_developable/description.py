@@ -80,7 +80,7 @@ GLOBAL = Filter(
             Length(automatic=True),
             -1.0,
             "length",
-            "Constrained Newton only: no vertex ends farther than this from where it was; -1 means 15 % of the diagonal of its part, that is of what shares vertices or is sewn together.",
+            "Constrained Newton only: no vertex ends farther than this from where it was; -1 means 15 % of its part's diagonal.",
         ),
         Parameter(
             "map",
