@@ -18,7 +18,7 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
 	const double share = mayFreeze ? shareOfAllTogether : 1;
 	const NewtonTuning& tuning = strategy.tuning();
-	const double work = 4 * std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
+	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
 	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work));
 	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, share));
 	if (outcome.ending == Ending::Stopped)
