@@ -56,7 +56,8 @@ std::string statusInWords(const OptimizationReport& report, const std::string& r
 
 void addPanels(Results& results, const std::vector<PanelReport>& panels) {
 	results.push_back({"panels_converged",
-					   countPanels(panels, Status::Converged) + countPanels(panels, Status::NothingToDo), ""});
+					   countPanels(panels, Status::Converged) + countPanels(panels, Status::NothingToDo),
+					   ""});
 	results.push_back({"panels_need_cut", countPanels(panels, Status::NeedsCut), ""});
 }
 
@@ -123,8 +124,7 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	addChanges(results, assembly, result.positions);
 	results.push_back({"iterations", static_cast<int>(report.iterations), ""});
 	results.push_back({"converged", converged(report.status), ""});
-	const std::vector<PanelReport> panels =
-		panelReports(assembly, result.positions, report, angleTolerance);
+	const std::vector<PanelReport> panels = panelReports(assembly, result.positions, report, angleTolerance);
 	addPanels(results, panels);
 	const std::optional<double> strain = strainLeft(assembly, result.positions, panels);
 	if (report.reason == Reason::NeedsCut && strain && *strain < smallStrain)

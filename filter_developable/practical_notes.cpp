@@ -30,10 +30,10 @@ std::optional<double> strainLeft(const PatchAssembly& assembly, const Positions&
 		std::any_of(panels.begin(), panels.end(), hasMuch))
 		return std::nullopt;
 	try {
-		const PartialAssembly left = partialAssembly(
-			assembly, trianglesWhere(assembly.triangleCopies, [&](int triangle) {
-				return isLeft(panels[std::size_t(assembly.patchOfTriangle[triangle])]);
-			}));
+		const PartialAssembly left =
+			partialAssembly(assembly, trianglesWhere(assembly.triangleCopies, [&](int triangle) {
+								return isLeft(panels[std::size_t(assembly.patchOfTriangle[triangle])]);
+							}));
 		const Positions shape = positions(Eigen::all, left.wholePlace);
 		return 100 * flattenPatches(left.assembly, shape, FlattenOptions()).report.maxEdgeStrain;
 	} catch (const Error&) { // a patch with handles, or one that lost a triangle to rounding

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// practical_notes.h: what a verdict means in practice: the strain that is left, and whether a shape is still itself.
+// practical_notes.h: what a verdict means in practice: the strain that is left, and whether a shape is still
+// itself.
 #pragma once
 
 #include "panel_output.h"

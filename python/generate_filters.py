@@ -184,14 +184,17 @@ def declaration(function: ast.FunctionDef, filters: list[Any]) -> str:
 
 
 def parameters_of(filters: list[Any]) -> dict[str, Any]:
-    """The filters' parameters by name, each with a key `only`: the filter that has it, when not all have."""
+    """The filters' parameters by name, each with a key `only`: the filter that has it, when not all have; and
+    a key `others`: filters that say something else of it, with what they say."""
     found: dict[str, Any] = {}
     for known in filters:
         for parameter in known["parameters"]:
             name = parameter["name"]
             users = [known for known in filters if name in (other["name"] for other in known["parameters"])]
             only = known["short_name"] if len(users) < len(filters) else ""
-            found.setdefault(name, parameter | {"only": only})
+            first = found.setdefault(name, parameter | {"only": only, "others": []})
+            if help_of(parameter) != help_of(first):
+                first["others"].append((known["short_name"], help_of(parameter)))
     return found
 
 
@@ -205,6 +208,7 @@ def words_of(parameter: Any) -> str:
     ]
     noted = "; ".join(filter(None, notes))
     line = f"{parameter['name']}{f' ({noted})' if noted else ''}: {help_of(parameter)}"
+    line += "".join(f" For {name!r}: {words}" for name, words in parameter["others"])
     return textwrap.fill(line, DOCSTRING_WIDTH, initial_indent="    ", subsequent_indent="        ")
 
 

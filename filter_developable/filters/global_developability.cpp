@@ -118,11 +118,12 @@ std::vector<Parameter> parameters() {
 					"fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
 					"how much of the surface's own detail is smoothed away: bumps that are shorter than this share of "
 					"the panel's size. At 0 the surface keeps its detail.")),
-		onlyFor(Solver::ConstrainedNewton,
-				automaticLength("max_displacement", "Largest displacement",
-								"no vertex ends farther than this from where it was; -1 means 15 % of the "
-								"diagonal of its part, that is of what shares vertices or is sewn together. Any "
-								"negative number means that.")),
+		onlyFor(
+			Solver::ConstrainedNewton,
+			automaticLength(
+				"max_displacement", "Largest displacement",
+				"no vertex ends farther than this from where it was; -1 means 15 % of its part's diagonal. "
+				"A part is what shares vertices or is sewn together; any negative number means that.")),
 		mapParameter(Map::Displacement),
 		colorizeParameter(),
 	};

@@ -80,7 +80,7 @@ GLOBAL = Filter(
             Length(automatic=True),
             -1.0,
             "length",
-            "Constrained Newton only: no vertex ends farther than this from where it was; -1 means 15 % of the diagonal of its part, that is of what shares vertices or is sewn together.",
+            "Constrained Newton only: no vertex ends farther than this from where it was; -1 means 15 % of its part's diagonal.",
         ),
         Parameter(
             "map",
@@ -389,6 +389,6 @@ _REASON_TEXTS = {
     Reason.NOTHING_MOVES: "stalled: within the tolerance nothing can move any more",
     Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
     Reason.UNSOLVABLE: "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept",
-    Reason.TOO_FAR: "no developable shape found within the largest displacement, the nearest one moves a vertex by {nearest_developable}: it needs a cut, first of all at ({worst_x}, {worst_y}, {worst_z}), or a larger max_displacement",
-    Reason.NEARLY_THERE: "nearly there: no shape near this one is developable to the last bit, but laid flat as it is, no edge changes its length by more than {edge_strain_left} %",
+    Reason.TOO_FAR: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); the nearest developable one found moves a vertex by {nearest_developable}, farther than max_displacement allows",
+    Reason.NEARLY_THERE: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); but it is nearly there: laid flat as it is, no edge changes its length by more than {edge_strain_left} %",
 }

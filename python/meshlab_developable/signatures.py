@@ -141,8 +141,8 @@ def make_developable(
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
             against distance; larger values give fewer wrinkles.
         max_displacement (length): Constrained Newton only: no vertex ends farther than this from where it
-            was; -1 means 15 % of the diagonal of its part, that is of what shares vertices or is sewn
-            together.
+            was; -1 means 15 % of its part's diagonal. For 'local': How far a vertex may move along its
+            original normal; -1 means the mean edge length.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
         max_operations (only for 'local'): The run ends after so many visits to a vertex at the latest.

@@ -148,7 +148,7 @@ private slots:
 					.succeeded);
 		QVERIFY(layer.hasDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY));
 		QCOMPARE(LayerState(layer).attributes,
-				 (std::vector<std::string>{"gaussian_map", "original_position"}));
+				 (std::vector<std::string>{"displacement", "original_position"}));
 	}
 
 	void errorsAreSaidAndLeaveTheLayerAsItWas_data() { allFilters(); }

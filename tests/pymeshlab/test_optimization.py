@@ -234,7 +234,7 @@ def test_only_selected_leaves_the_other_patch_alone(name):
     assert not moved[half:].any()
     assert np.all(quality_of(meshes)[half:] == 7)
     assert np.array_equal(attribute_of(meshes, "original_position"), original)
-    assert np.all(attribute_of(meshes, "gaussian_map")[half:] == 0)
+    assert np.all(attribute_of(meshes, "displacement")[half:] == 0)
 
 
 def test_fixed_vertices_stay():

@@ -60,7 +60,8 @@ def test_help_says_what_each_parameter_is_and_its_unit(function, known):
 
 def test_help_tells_the_methods_apart():
     words = inspect.getdoc(meshlab_developable.make_developable)
-    assert "max_displacement (length; only for 'local'): " in words
+    assert "max_operations (only for 'local'): " in words
+    assert "For 'local': How far a vertex may move" in " ".join(words.split())
     assert "fix_boundary (only for 'global'): " in words
     assert "angle_tolerance (rad): " in words
 
@@ -80,4 +81,6 @@ def test_reasons_have_the_numbers_of_the_interface():
         "NOTHING_MOVES": 2,
         "NEEDS_CUT": 3,
         "UNSOLVABLE": 4,
+        "TOO_FAR": 5,
+        "NEARLY_THERE": 6,
     }

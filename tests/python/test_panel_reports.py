@@ -24,7 +24,7 @@ def three_panels():
     parts = [jar, bump(), cylinder()]
     vertices, faces, count = [], [], 0
     for i, (positions, triangles) in enumerate(parts):
-        vertices.append(positions + [5 * i, 0, 0])
+        vertices.append(positions + np.array([5 * i, 0, 0]))
         faces.append(triangles + count)
         count += len(positions)
     return np.vstack(vertices), np.vstack(faces), [len(triangles) for _, triangles in parts]
@@ -70,7 +70,7 @@ def test_strangers_cost_each_other_nothing():
     vertices, faces, _ = three_panels()
     together = meshlab_developable.make_developable(vertices, faces)
     hill, triangles = bump()
-    alone = meshlab_developable.make_developable(hill + [5, 0, 0], triangles)
+    alone = meshlab_developable.make_developable(hill + np.array([5, 0, 0]), triangles)
     first = vertices.shape[0] - len(cylinder()[0]) - len(hill)
     assert np.array_equal(together.vertices[first : first + len(hill)], alone.vertices)
 
@@ -83,7 +83,9 @@ def test_the_filter_leaves_it_on_the_faces():
     assert (returned["panels_converged"], returned["panels_need_cut"]) == (2, 1)
     mesh = meshes.current_mesh()
     assert np.array_equal(mesh.face_custom_scalar_attribute_array("panel"), np.repeat([0, 1, 2], counts))
-    assert np.array_equal(mesh.face_custom_scalar_attribute_array("panel_status"), np.repeat([3, 0, 5], counts))
+    assert np.array_equal(
+        mesh.face_custom_scalar_attribute_array("panel_status"), np.repeat([3, 0, 5], counts)
+    )
     left = mesh.face_custom_scalar_attribute_array("panel_curvature")
     assert left.max() == pytest.approx(returned["total_absolute_curvature_after"], rel=1e-3)
     assert panel_reports(meshes.current_mesh())[1].status is Status.CONVERGED

@@ -57,7 +57,7 @@ def _table(rows: Sequence[Row], method: str) -> pyarrow.Table:
             "state": str(row.state),
             "message": row.message,
             **row.numbers,
-            "panels": json.dumps(row.panels) if row.panels else None,
+            "panels": json.dumps(row.panels) if row.panels else "",
         }
         for row in rows
     ]

@@ -60,11 +60,12 @@ Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& ne
 	return withinBound(ending, problem, run, steps, nearest);
 }
 
+constexpr double muchCurvature = 0.1; ///< share of C at the start: more left is far from developable
+
 /// Triangles all over were in the way and much curvature is left: the shape itself needs a cut, and a
 /// smoother displacement would not help it.
 bool hopeless(const NewtonProblem& problem, const NewtonRun& run) {
-	return problem.metric().tooStiff() &&
-		   run.shape().curvature > problem.tuning().settledCurvature * run.startCurvature();
+	return problem.metric().tooStiff() && run.shape().curvature > muchCurvature * run.startCurvature();
 }
 
 Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {

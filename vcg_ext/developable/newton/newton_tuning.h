@@ -88,10 +88,11 @@ struct NewtonTuning {
 	double returnProgress = 0.97; ///< share of the nearest so far that a round may leave
 	double returnReach = 3;       ///< of the bound: shapes farther away are given up
 
-	// How much work a part may take, in units of WorkBudget: some three times the paper's 200 steps.
-	double workPerPlace = 1200;
-	double workOnSmall = 3e6;  ///< at least: seconds
-	double workTogether = 0.6; ///< share of it before patches are frozen
+	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very
+	// thin triangles.
+	double workPerPlace = 4800;
+	double workOnSmall = 1.2e7; ///< at least: seconds
+	double workTogether = 0.6;  ///< share of it before patches are frozen
 
 	// A start without symmetry.
 	double symmetryBreaking = 1e-4; ///< share of the diagonal
