@@ -83,6 +83,8 @@ Progress progressOfAttempt(const Progress& progress, int attempt) {
 NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, double smoothness,
 								int maxIterations, const Progress& progress) {
 	const int steps = std::min(maxIterations, problem.tuning().limitedSteps);
+	if (steps < maxIterations && steps == 0)
+		return {Ending::Stuck, 0, start, smoothness};
 	problem.setSmoothness(sameForAll(problem, smoothness));
 	problem.jacobian().freeBorders(false);
 	const Progress progressOfThis = progressOfAttempt(progress, 0);
@@ -92,7 +94,7 @@ NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, 
 	if (ending == Ending::OutOfSteps && steps < maxIterations)
 		ending = Ending::Stuck;
 	const bool moved = ending != Ending::Stuck && run.iterations() > 0;
-	return {ending, run.iterations(), moved ? run.nearest() : start, smoothness, nearest};
+	return {ending, run.iterations(), moved ? run.nearest() : start, smoothness, nearest, ending == Ending::Reached};
 }
 
 } // namespace

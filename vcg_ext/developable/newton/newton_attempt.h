@@ -14,6 +14,7 @@ struct NewtonOutcome {
 	double smoothness = 0; ///< the largest α that a patch was given
 	/// How far the nearest developable shape found moves a place, where that is too far, length; else 0.
 	double nearestDevelopable = 0;
+	bool bordersLimited = false; ///< found while borders might not kink
 };
 
 /// Up to five attempts from the same start, each a continuation and a restoration: where the first leads

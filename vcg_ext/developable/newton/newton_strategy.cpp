@@ -81,7 +81,13 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 		if (outcome.ending != Ending::Stuck)
 			return outcome;
 	}
-	return solveLevel({assembly, 1}, start, progress);
+	NewtonOutcome outcome = solveLevel({assembly, 1}, start, progress);
+	if (outcome.ending != Ending::Stuck || !outcome.bordersLimited)
+		return outcome;
+	// What the coarse levels could do without kinks the finest may not.
+	NewtonStrategy free = *this;
+	free.tuning_.limitedSteps = 0;
+	return free.solveLevel({assembly, 1}, start, progress);
 }
 
 NewtonOutcome NewtonStrategy::solveShortest(const PatchAssembly& assembly, const Positions& start,
@@ -175,13 +181,14 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 		ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	}
 	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.smoothness,
-						  coarse.nearestDevelopable};
+						  coarse.nearestDevelopable, coarse.bordersLimited};
 	if (ending != Ending::Stuck || !solved)
 		return outcome;
 	const NewtonOutcome restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
 	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
-			std::max(coarse.smoothness, restored.smoothness), coarse.nearestDevelopable};
+			std::max(coarse.smoothness, restored.smoothness), coarse.nearestDevelopable,
+			coarse.bordersLimited};
 }
 
 } // namespace developable::detail
