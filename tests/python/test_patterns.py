@@ -36,7 +36,14 @@ def pants(tmp_path_factory):
     developed = make_developable(positions, triangles).vertices
     folder = tmp_path_factory.mktemp("pants")
     made = make_patterns(
-        developed, triangles, folder=folder, name="pants", unit="cm", sheet=SHEET, page="Letter"
+        developed,
+        triangles,
+        folder=folder,
+        name="pants",
+        unit="cm",
+        sheet=SHEET,
+        page="Letter",
+        outline="exact",
     )
     return made, folder
 

@@ -12,7 +12,7 @@ from meshlab_developable import mesh_sets
 from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import FLATTEN
-from meshlab_developable.patterns.options import FORMATS, PAPERS, TURNS, UNITS, Size
+from meshlab_developable.patterns.options import FORMATS, OUTLINES, PAPERS, TURNS, UNITS, Size
 
 
 def _numbers(text: str, separator: str, count: int) -> tuple[float, ...] | None:
@@ -101,6 +101,16 @@ def _question_of_unit(mesh: Path) -> str:
 )
 @click.option(
     "--piece-name", "piece_names", multiple=True, help="Of the pieces in their order; repeat for each."
+)
+@click.option(
+    "--outline",
+    type=click.Choice(OUTLINES),
+    help="Smooth lines between corners, or the mesh's own.  [default: fair]",
+)
+@click.option(
+    "--outline-tolerance",
+    type=float,
+    help="How far smooth lines may be from the mesh's vertices, mm.  [default: 0.3]",
 )
 @click.option(
     "--max-strain",

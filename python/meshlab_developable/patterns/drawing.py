@@ -28,11 +28,12 @@ class Layer(enum.IntEnum):
 
 @dataclasses.dataclass(frozen=True)
 class Path:
-    """A polyline, or a ring."""
+    """A polyline, or a ring; where its points are on smooth curves, those too."""
 
     layer: Layer
     points: Array  # k x 2; a ring does not repeat its first point
     closed: bool = True
+    curves: Sequence[Array] = ()  # Bézier curves, 4 x 2 each, one from where the other ends
 
 
 @dataclasses.dataclass(frozen=True)
@@ -94,7 +95,12 @@ class Drawing:
         """Turned and shifted; its texts stay upright."""
         return Drawing(
             self.name,
-            [dataclasses.replace(path, points=motion(path.points)) for path in self.paths],
+            [
+                dataclasses.replace(
+                    path, points=motion(path.points), curves=[motion(curve) for curve in path.curves]
+                )
+                for path in self.paths
+            ],
             [Notch(motion(n.on_boundary), motion(n.on_seam), motion(n.end)) for n in self.notches],
             [dataclasses.replace(text, centre=motion(text.centre)) for text in self.texts],
         )

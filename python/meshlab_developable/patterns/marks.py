@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import shapely
 
-from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Array
+from meshlab_developable.patterns.bezier import bezier_curves
 from meshlab_developable.patterns.drawing import Drawing, Layer, Notch, Path, Text
 from meshlab_developable.patterns.pieces import MITRE_LIMIT, Piece, Pieces
 from meshlab_developable.sewing import Seam
@@ -31,14 +31,14 @@ class MarkedSeam:
     notches: tuple[tuple[int, float], ...]  # number of the edge along the seam, and share of that edge
 
 
-def mark_seams(flat: FlatteningResult, pieces: Pieces, notch_spacing: float) -> tuple[MarkedSeam, ...]:
+def mark_seams(seams: Sequence[Seam], pieces: Pieces, notch_spacing: float) -> tuple[MarkedSeam, ...]:
     """Letters for seams, and notches where the same point of the model is on both sides.
 
     Notches are as far apart as the spacing (mm) or a little less, and nearer to one end of the seam, so that
     it fits only one way round. Where the sides differ in length, their mean counts.
     """
     marked = []
-    for index, seam in enumerate(flat.seams):
+    for index, seam in enumerate(seams):
         steps = [np.linalg.norm(np.diff(pieces.positions[side], axis=0), axis=1) for side in seam.sides]
         lengths = float(steps[0].sum()), float(steps[1].sum())
         mean = (steps[0] + steps[1]) / 2
@@ -76,9 +76,9 @@ def draw_piece(
 ) -> Drawing:
     """A piece with all its lines and marks, in its own frame."""
     piece = pieces.pieces[number]
-    paths = [_ring(Layer.BOUNDARY, piece.cut.exterior)]
-    paths += [_ring(Layer.CUTOUT, ring) for ring in piece.cut.interiors]
-    paths += [_ring(Layer.SEW, ring) for ring in (piece.sewn.exterior, *piece.sewn.interiors)]
+    paths = [_ring(Layer.BOUNDARY, piece.cut.exterior, pieces.smooth)]
+    paths += [_ring(Layer.CUTOUT, ring, pieces.smooth) for ring in piece.cut.interiors]
+    paths += [_ring(Layer.SEW, ring, pieces.smooth) for ring in (piece.sewn.exterior, *piece.sewn.interiors)]
     paths += [
         Path(Layer.INTERNAL, pieces.positions[line], False) for piece_, line in lines if piece_ == number
     ]
@@ -102,8 +102,9 @@ def draw_piece(
     return Drawing(piece.name, paths, notches, texts)
 
 
-def _ring(layer: Layer, ring: shapely.LinearRing) -> Path:
-    return Path(layer, np.array(ring.coords)[:-1])
+def _ring(layer: Layer, ring: shapely.LinearRing, smooth: bool) -> Path:
+    points = np.array(ring.coords)[:-1]
+    return Path(layer, points, curves=bezier_curves(points) if smooth else ())
 
 
 def _size(piece: Piece) -> float:

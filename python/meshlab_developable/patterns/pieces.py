@@ -13,6 +13,7 @@ from meshlab_developable.errors import PatternError
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Array, IndexArray
 from meshlab_developable.patterns.options import PatternOptions
+from meshlab_developable.patterns.outlines import Outlines
 from meshlab_developable.sewing import signed_area
 
 MITRE_LIMIT = 3.0  # of the allowance: sharper corners are cut off at that distance
@@ -34,34 +35,36 @@ class Pieces:
     """All pieces, and where the vertices of the flattening are in them."""
 
     pieces: tuple[Piece, ...]
-    positions: Array  # p x 2, mm, each in the frame of its own piece
+    positions: Array  # p x 2, mm, of the outlines' points, each in the frame of its own piece
+    smooth: bool  # the lines are curves between corners
     notes: tuple[str, ...]  # what a user should know
 
 
-def make_pieces(flat: FlatteningResult, options: PatternOptions) -> Pieces:
-    """Turn, scale and widen the pieces.
+def make_pieces(flat: FlatteningResult, outlines: Outlines, options: PatternOptions) -> Pieces:
+    """Turn and widen the pieces.
 
     Raises PatternError when one overlaps itself, or is no larger than nothing.
     """
-    names = _names(flat.report.pieces, options.piece_names)
-    positions = flat.vertices * options.millimetres
-    notes: list[str] = []
+    names = piece_names(flat.report.pieces, options.piece_names)
+    positions = outlines.points.copy()
+    notes = list(outlines.notes)
     if options.grain is not None:
-        positions = _grain_upright(flat, positions, np.array(options.grain, dtype=np.float64), names, notes)
+        positions = _grain_upright(flat, outlines, np.array(options.grain, dtype=np.float64), names, notes)
     pieces = []
     for number, name in enumerate(names):
-        rings = _oriented([loop for loop in flat.loops if flat.pieces[loop[0]] == number], positions)
+        rings = _oriented([loop for loop in outlines.loops if outlines.pieces[loop[0]] == number], positions)
         sewn = shapely.Polygon(positions[rings[0]], [positions[ring] for ring in rings[1:]])
         _require_simple(sewn, name)
         cut = _widened(sewn, options.seam_allowance, name, notes)
         corner = np.array(cut.bounds[:2])
-        positions[flat.pieces == number] -= corner
+        positions[outlines.pieces == number] -= corner
         moved = shapely.transform(shapely.MultiPolygon([sewn, cut]), lambda points, at=corner: points - at)
         pieces.append(Piece(name, rings, *moved.geoms))
-    return Pieces(tuple(pieces), positions, tuple(notes))
+    return Pieces(tuple(pieces), positions, outlines.smooth, tuple(notes))
 
 
-def _names(count: int, given: Sequence[str] | None) -> list[str]:
+def piece_names(count: int, given: Sequence[str] | None) -> list[str]:
+    """The names that are given, or numbers. Raises PatternError when there are not as many as pieces."""
     if given is None:
         return [f"Piece {number + 1}" for number in range(count)]
     if len(given) != count or len(set(given)) != count or not all(given):
@@ -106,10 +109,11 @@ def _widened(sewn: shapely.Polygon, width: float, name: str, notes: list[str]) -
 
 
 def _grain_upright(
-    flat: FlatteningResult, positions: Array, grain: Array, names: Sequence[str], notes: list[str]
+    flat: FlatteningResult, outlines: Outlines, grain: Array, names: Sequence[str], notes: list[str]
 ) -> Array:
-    """The positions, each piece turned so that the direction on the model runs upright."""
-    corners, model = positions[flat.faces], flat.model_vertices[flat.faces]
+    """The points, each piece turned so that the direction on the model runs upright."""
+    positions = outlines.points
+    corners, model = flat.vertices[flat.faces], flat.model_vertices[flat.faces]
     edges = np.stack([model[:, 1] - model[:, 0], model[:, 2] - model[:, 0]], axis=2)  # m x 3 x 2
     laid = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)  # m x 2 x 2
     # The flattening's derivative takes the direction's part in the surface to the plane.
@@ -126,7 +130,7 @@ def _grain_upright(
             )
             x, y, size = 0.0, 1.0, 1.0
         rotation = np.array([[y, -x], [x, y]]) / size  # takes (x, y) to (0, size)
-        inside = flat.pieces == number
+        inside = outlines.pieces == number
         turned[inside] = positions[inside] @ rotation.T
     return turned
 

@@ -20,9 +20,10 @@ from meshlab_developable.patterns.dxf import write_dxf
 from meshlab_developable.patterns.internal_lines import trace_lines
 from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
 from meshlab_developable.patterns.options import PatternOptions
+from meshlab_developable.patterns.outlines import Outlines, exact_outlines, fair_outlines
 from meshlab_developable.patterns.packing import Sheet, pack
 from meshlab_developable.patterns.pdf import SheetDrawing, write_pdf, write_tiled_pdf
-from meshlab_developable.patterns.pieces import Pieces, make_pieces
+from meshlab_developable.patterns.pieces import Pieces, make_pieces, piece_names
 from meshlab_developable.patterns.side_file import write_side_file
 from meshlab_developable.patterns.strain import require_little_strain, strain_notes
 from meshlab_developable.patterns.svg import write_svg
@@ -57,9 +58,10 @@ def make_patterns(
     "cm", "dm", "m", "in", "ft", or how many millimetres it is), `seam_allowance`, `notch_spacing` and `gap`
     (mm), `grain` (a direction on the model that runs upright), `sheet` (mm x mm, or a paper's name), `turns`
     ("none", "half", "free"), `page` (of the PDF in tiles), `formats`, `piece_names`, `internal_lines` (to
-    be drawn, each k x 3, vertices of the mesh along its edges) and `max_strain` (per cent; a piece with an
-    edge whose length changes by more is refused). A mesh does not say its unit; without one it is taken for
-    millimetres.
+    be drawn, each k x 3, vertices of the mesh along its edges), `outline` ("fair": smooth lines between
+    corners, no farther than `outline_tolerance`, mm, from the mesh's vertices; "exact": the mesh's own) and
+    `max_strain` (per cent; a piece with an edge whose length changes by more is refused). A mesh does not
+    say its unit; without one it is taken for millimetres.
 
     Writes name.svg (one file a sheet), name.pdf (one page a sheet), name-A4.pdf (tiles for an office
     printer), name.dxf (ASTM D6673) and name.json (what is sewn to what). All of them or, when
@@ -78,9 +80,11 @@ def write_patterns(
     options = options or PatternOptions()
     if not name or name != Path(name).name:
         raise InvalidParameterError(f"name is {name!r}, but must be that of a file, without folders")
-    pieces = make_pieces(flat, options)
+    names = piece_names(flat.report.pieces, options.piece_names)
+    outlines = _outlines(flat, options, names)
+    pieces = make_pieces(flat, outlines, options)
     require_little_strain(flat, [piece.name for piece in pieces.pieces], options.max_strain)
-    seams = mark_seams(flat, pieces, options.notch_spacing)
+    seams = mark_seams(outlines.seams, pieces, options.notch_spacing)
     lines = trace_lines(flat, options.internal_lines)
     drawings = [
         draw_piece(number, pieces, seams, lines, options.seam_allowance)
@@ -96,6 +100,12 @@ def write_patterns(
         notes=(*pieces.notes, *strain_notes(flat, options.millimetres), *_name_notes(pieces, options)),
         flattening=flat,
     )
+
+
+def _outlines(flat: FlatteningResult, options: PatternOptions, names: Sequence[str]) -> Outlines:
+    if options.outline == "exact":
+        return exact_outlines(flat, options.millimetres)
+    return fair_outlines(flat, options.millimetres, options.outline_tolerance, names)
 
 
 def _name_notes(pieces: Pieces, options: PatternOptions) -> list[str]:
