@@ -21,10 +21,12 @@ from meshlab_developable.patterns.internal_lines import trace_lines
 from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
 from meshlab_developable.patterns.options import PatternOptions
 from meshlab_developable.patterns.outlines import Outlines, exact_outlines, fair_outlines
+from meshlab_developable.patterns.overlaps import share_overlaps, wide_overlaps
 from meshlab_developable.patterns.packing import Sheet, pack
 from meshlab_developable.patterns.pdf import SheetDrawing, write_pdf, write_tiled_pdf
 from meshlab_developable.patterns.pieces import Pieces, make_pieces, piece_names
 from meshlab_developable.patterns.side_file import write_side_file
+from meshlab_developable.patterns.splitting import split_labels, split_options
 from meshlab_developable.patterns.strain import require_little_strain, strain_notes
 from meshlab_developable.patterns.svg import write_svg
 from meshlab_developable.writing import written_together
@@ -70,7 +72,16 @@ def make_patterns(
     Raises PatternError, InvalidParameterError, and what `flatten` raises.
     """
     options = PatternOptions(**{key: parameters.pop(key) for key in OPTIONS if key in parameters})
-    return write_patterns(flatten(vertices, faces, **parameters), Path(folder), name, options)
+    flat = flatten(vertices, faces, **parameters)
+    wide = wide_overlaps(flat, options.millimetres)
+    if not wide or parameters.get("only_selected") is not None:
+        return write_patterns(flat, Path(folder), name, options)
+    labels = split_labels(flat, set(wide))
+    seams = {key: value for key, value in parameters.items() if key not in ("patches", "texture_coordinates")}
+    parts = flatten(vertices, faces, **seams | {"face_labels": labels})
+    options, notes = split_options(flat, parts, wide, options)
+    made = write_patterns(parts, Path(folder), name, options)
+    return dataclasses.replace(made, notes=(*notes, *made.notes))
 
 
 def write_patterns(
@@ -103,9 +114,12 @@ def write_patterns(
 
 
 def _outlines(flat: FlatteningResult, options: PatternOptions, names: Sequence[str]) -> Outlines:
+    unit = options.millimetres
     if options.outline == "exact":
-        return exact_outlines(flat, options.millimetres)
-    return fair_outlines(flat, options.millimetres, options.outline_tolerance, names)
+        outlines = exact_outlines(flat, unit)
+    else:
+        outlines = fair_outlines(flat, unit, options.outline_tolerance, names)
+    return share_overlaps(flat, outlines, names, unit)
 
 
 def _name_notes(pieces: Pieces, options: PatternOptions) -> list[str]:
