@@ -13,7 +13,7 @@ import pattern_readers as readers
 import pytest
 import shapely
 from meshlab_developable import InvalidParameterError, make_developable
-from meshlab_developable.patterns import make_patterns
+from meshlab_developable.patterns import PatternOptions, make_patterns, write_patterns
 from meshlab_developable.patterns.bezier import bezier_curves
 from meshlab_developable.patterns.corners import turning
 from meshlab_developable.patterns.outlines import fair_outlines
@@ -146,18 +146,20 @@ def pants(tmp_path_factory):
     )
 
 
-def test_sew_lines_are_near_every_vertex_of_the_mesh(pants):
+def test_sew_lines_are_near_every_vertex_of_the_mesh(pants, tmp_path):
     made, blocks, _ = pants
-    flat = made.flattening
-    for loop in flat.loops:
-        number = int(flat.pieces[loop[0]])
-        line = shapely.LinearRing(shapely.get_coordinates(blocks[f"PIECE_{number + 1}"]["14"][0]))
-        model = 10 * flat.vertices[loop]
+    write_patterns(
+        made.flattening, tmp_path, "exact", PatternOptions(unit="cm", outline="exact", formats=["dxf"])
+    )
+    exact = readers.read_dxf_blocks(tmp_path / "exact.dxf")
+    assert sorted(blocks) == sorted(exact)
+    for name, layers in blocks.items():
+        mesh, line = (shapely.get_coordinates(found["14"][0])[:-1] for found in (exact[name], layers))
         # Each in its own frame.
-        inside, drawn = (np.array(shapely.Polygon(ring).centroid.coords[0]) for ring in (model, line))
-        distances = shapely.distance(shapely.points(model - inside + drawn), line)
-        assert distances.max() < TOLERANCE + 0.05
-        assert line.length == pytest.approx(shapely.LinearRing(model).length, rel=1e-3)
+        inside, drawn = (np.array(shapely.Polygon(ring).centroid.coords[0]) for ring in (mesh, line))
+        border = shapely.LinearRing(line)
+        assert shapely.distance(shapely.points(mesh - inside + drawn), border).max() < TOLERANCE + 0.05
+        assert border.length == pytest.approx(shapely.LinearRing(mesh).length, rel=1e-3)
 
 
 def test_both_sides_of_a_seam_are_alike(pants):

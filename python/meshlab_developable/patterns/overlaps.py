@@ -14,6 +14,7 @@ from meshlab_developable.errors import PatternError
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Array, IndexArray
 from meshlab_developable.patterns.outlines import Outlines, exact_outlines
+from meshlab_developable.patterns.winding import cells_by_winding, windings
 from meshlab_developable.sewing import signed_area
 
 NARROW = 6.0  # mm; a wider overlap is not shared between the two sides
@@ -38,7 +39,8 @@ def find_overlap(flat: FlatteningResult, number: int, ring: Array, millimetres: 
 
     ring: k x 2, mm, in the flattening's frame.
     """
-    cells = _doubled(ring)
+    cells, turns = cells_by_winding(ring)
+    cells = cells[abs(turns) > 1]
     if not len(cells):
         return None
     circles = shapely.maximum_inscribed_circle(cells)
@@ -91,24 +93,6 @@ def share_overlaps(
     return dataclasses.replace(outlines, points=points, notes=tuple(notes))
 
 
-def _doubled(ring: Array) -> Array:
-    """The cells that a ring goes round more than once."""
-    nodes = shapely.node(shapely.LinearRing(ring))
-    cells = shapely.get_parts(shapely.polygonize(shapely.get_parts(nodes)))
-    inside = shapely.get_coordinates(shapely.point_on_surface(cells))
-    doubled: Array = cells[abs(_windings(ring, inside)) > 1]
-    return doubled
-
-
-def _windings(ring: Array, places: Array) -> IndexArray:
-    """How often a ring goes round each of the places (k x 2), to the left."""
-    x, y = np.moveaxis(ring - places[:, None], 2, 0)
-    next_x, next_y = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
-    turns = np.arctan2(x * next_y - y * next_x, x * next_x + y * next_y).sum(axis=1)
-    windings: IndexArray = np.rint(turns / (2 * np.pi)).astype(np.int32)
-    return windings
-
-
 def _shared(outlines: Outlines, points: Array, outline: IndexArray) -> Array | None:
     """The points of an outline, moved to the middle where it overlaps; none when that does not help."""
     ring = points[outline].copy()
@@ -151,7 +135,7 @@ def _lying_over(ring: Array) -> npt.NDArray[np.bool_]:
     along = after / np.linalg.norm(after, axis=1)[:, None] + before / np.linalg.norm(before, axis=1)[:, None]
     inward = sign * np.stack([-along[:, 1], along[:, 0]], axis=1)
     sizes = np.linalg.norm(inward, axis=1, keepdims=True)
-    doubled = sign * _windings(ring, ring + 1e-3 * inward / np.maximum(sizes, 1e-9)) > 1
+    doubled = sign * windings(ring, ring + 1e-3 * inward / np.maximum(sizes, 1e-9)) > 1
     # The tip of a slit has no inside to look at.
     over: npt.NDArray[np.bool_] = doubled & (sizes[:, 0] > 0.3)
     return over

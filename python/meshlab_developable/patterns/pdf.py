@@ -91,7 +91,7 @@ class Grid:
             shapely.Polygon(path.points)
             for drawing in sheet.drawings
             for path in drawing.paths
-            if path.layer in (Layer.BOUNDARY, Layer.TEXT)
+            if path.layer == Layer.BOUNDARY
         ]
         width, height = self.window
         found = []
@@ -122,6 +122,12 @@ def tile_grid(size: Size, paper: Size) -> Grid:
 def write_tiled_pdf(file: FilePath, title: str, sheets: Sequence[SheetDrawing], paper: str) -> None:
     """A cover with a square to check the print, then the sheets in tiles that overlap, without empty ones."""
     canvas = _canvas(file, title)
+    # The cover has the square whole, which the edges of tiles would cut.
+    square = print_check().name
+    sheets = [
+        dataclasses.replace(sheet, drawings=[drawing for drawing in sheet.drawings if drawing.name != square])
+        for sheet in sheets
+    ]
     grids = [tile_grid(sheet.size, PAPERS[paper]) for sheet in sheets]
     _cover(canvas, title, PAPERS[paper], sheets, grids)
     for sheet, grid in zip(sheets, grids, strict=True):

@@ -15,7 +15,7 @@ import shapely
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.mesh_sets import Source
-from meshlab_developable.patterns.drawing import Drawing, Motion, print_check
+from meshlab_developable.patterns.drawing import Drawing, Motion, Quantity, print_check
 from meshlab_developable.patterns.dxf import write_dxf
 from meshlab_developable.patterns.internal_lines import trace_lines
 from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
@@ -29,6 +29,7 @@ from meshlab_developable.patterns.side_file import write_side_file
 from meshlab_developable.patterns.splitting import split_labels, split_options
 from meshlab_developable.patterns.strain import require_little_strain, strain_notes
 from meshlab_developable.patterns.svg import write_svg
+from meshlab_developable.patterns.symmetry import Fold, find_copies, find_fold
 from meshlab_developable.writing import written_together
 
 OPTIONS = tuple(field.name for field in dataclasses.fields(PatternOptions))
@@ -98,10 +99,10 @@ def write_patterns(
     seams = mark_seams(outlines.seams, pieces, options.notch_spacing)
     lines = trace_lines(flat, options.internal_lines)
     drawings = [
-        draw_piece(number, pieces, seams, lines, options.seam_allowance)
-        for number in range(len(pieces.pieces))
+        draw_piece(number, pieces, seams, lines, options.seam_allowance, quantity, fold)
+        for number, quantity, fold in _to_draw(pieces, options)
     ]
-    sheets = _laid_out(pieces, options)
+    sheets = _laid_out(drawings, options)
     files = _write_all(folder, name, options, pieces, seams, drawings, sheets)
     return PatternFiles(
         files=files,
@@ -130,9 +131,26 @@ def _name_notes(pieces: Pieces, options: PatternOptions) -> list[str]:
     return [f"PDF has no letters for {', '.join(unknown)}; the names are in the other files."]
 
 
-def _laid_out(pieces: Pieces, options: PatternOptions) -> list[Sheet]:
+def _to_draw(pieces: Pieces, options: PatternOptions) -> list[tuple[int, Quantity, Fold | None]]:
+    """The numbers of the pieces that are drawn, how many of each are cut, and where they are folded."""
+    shapes = [piece.cut for piece in pieces.pieces]
+    copies = find_copies(shapes) if options.copies == "once" else [None] * len(shapes)
+    drawn = []
+    for number, shape in enumerate(shapes):
+        if copies[number] is not None:
+            continue
+        mirrored = [copy[1] for copy in copies if copy is not None and copy[0] == number]
+        fold = find_fold(shape) if options.fold else None
+        quantity = Quantity(1 + mirrored.count(False), mirrored.count(True), fold is not None)
+        if fold is not None:  # it is its own mirror image
+            quantity = Quantity(1 + len(mirrored), 0, True)
+        drawn.append((number, quantity, fold))
+    return drawn
+
+
+def _laid_out(drawings: Sequence[Drawing], options: PatternOptions) -> list[Sheet]:
     """Sheets with the pieces and, where it fits, the square to check the print."""
-    shapes = {piece.name: shapely.Polygon(piece.cut.exterior) for piece in pieces.pieces}
+    shapes = {drawing.name: shapely.Polygon(drawing.paths[0].points) for drawing in drawings}
     square = print_check()
     if options.sheet_size is None or min(options.sheet_size) > 101 + 1.2 * options.gap:
         shapes[square.name] = shapely.Polygon(square.paths[0].points)
