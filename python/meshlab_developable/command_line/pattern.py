@@ -120,6 +120,11 @@ def _question_of_unit(mesh: Path) -> str:
     callback=_sheet,
     help=f"Its size, like 1400x2000 (mm), or {', '.join(PAPERS)}.  [default: as large as needed]",
 )
+@click.option(
+    "--layout",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Where pieces lie on sheets: the .json of an earlier pattern, edited.  [default: packed]",
+)
 @click.option("--gap", type=float, help="Distance of the pieces, mm.  [default: 5]")
 @click.option(
     "--turns", type=click.Choice(TURNS), help="How pieces may be turned on a sheet.  [default: half]"

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import os
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy.typing as npt
@@ -48,6 +49,7 @@ class PatternOptions:
     notch_spacing: float = 100.0  # along seams, mm, at most; 0: no notches
     grain: tuple[float, float, float] | None = None  # runs upright; None: what is up on the model does
     sheet: str | Size | None = None  # what the pieces are cut from; None: one sheet, as large as needed
+    layout: str | os.PathLike[str] | None = None  # a file that says where pieces lie, as name.json does
     gap: float = 5.0  # between the pieces, mm
     turns: str = "half"  # how pieces may be turned on a sheet: "none", "half" or "free"
     page: str | None = "A4"  # for the PDF in tiles, a name of PAPERS; None: no such file

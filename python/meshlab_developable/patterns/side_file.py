@@ -33,6 +33,7 @@ def write_side_file(
     content = {
         "title": title,
         "unit": "mm",
+        "sheets": [list(sheet.size) for sheet in sheets],
         "pieces": [
             _piece(piece, block, pieces.positions, sheets)
             for piece, block in zip(pieces.pieces, block_names(names), strict=True)

@@ -18,6 +18,7 @@ from meshlab_developable.mesh_sets import Source
 from meshlab_developable.patterns.drawing import Drawing, Motion, Quantity, print_check
 from meshlab_developable.patterns.dxf import write_dxf
 from meshlab_developable.patterns.internal_lines import trace_lines
+from meshlab_developable.patterns.layout import read_layout
 from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
 from meshlab_developable.patterns.options import PatternOptions
 from meshlab_developable.patterns.outlines import Outlines, exact_outlines, fair_outlines
@@ -102,14 +103,19 @@ def write_patterns(
         draw_piece(number, pieces, seams, lines, options.seam_allowance, quantity, fold)
         for number, quantity, fold in _to_draw(pieces, options)
     ]
-    sheets = _laid_out(drawings, options)
+    sheets, layout_notes = _laid_out(drawings, options)
     files = _write_all(folder, name, options, pieces, seams, drawings, sheets)
     return PatternFiles(
         files=files,
         piece_names=tuple(piece.name for piece in pieces.pieces),
         sheets=tuple(sheet.size for sheet in sheets),
         seams=seams,
-        notes=(*pieces.notes, *strain_notes(flat, options.millimetres), *_name_notes(pieces, options)),
+        notes=(
+            *pieces.notes,
+            *layout_notes,
+            *strain_notes(flat, options.millimetres),
+            *_name_notes(pieces, options),
+        ),
         flattening=flat,
     )
 
@@ -148,13 +154,15 @@ def _to_draw(pieces: Pieces, options: PatternOptions) -> list[tuple[int, Quantit
     return drawn
 
 
-def _laid_out(drawings: Sequence[Drawing], options: PatternOptions) -> list[Sheet]:
-    """Sheets with the pieces and, where it fits, the square to check the print."""
+def _laid_out(drawings: Sequence[Drawing], options: PatternOptions) -> tuple[list[Sheet], list[str]]:
+    """Sheets with the pieces and, where it fits, the square to check the print; and notes."""
     shapes = {drawing.name: shapely.Polygon(drawing.paths[0].points) for drawing in drawings}
+    if options.layout is not None:
+        return read_layout(Path(options.layout), shapes)
     square = print_check()
     if options.sheet_size is None or min(options.sheet_size) > 101 + 1.2 * options.gap:
         shapes[square.name] = shapely.Polygon(square.paths[0].points)
-    return pack(shapes, options.sheet_size, options.gap, options.turns, upright=[square.name])
+    return pack(shapes, options.sheet_size, options.gap, options.turns, upright=[square.name]), []
 
 
 def _sheet_drawings(name: str, drawings: Sequence[Drawing], sheets: Sequence[Sheet]) -> list[SheetDrawing]:
