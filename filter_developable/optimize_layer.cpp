@@ -2,6 +2,7 @@
 // optimize_layer.cpp: read, optimise, round, measure, write back once.
 #include "optimize_layer.h"
 
+#include "departure.h"
 #include "layer.h"
 #include "map_output.h"
 #include "shared_parameters.h"
@@ -72,6 +73,7 @@ void addChanges(Results& results, const PatchAssembly& assembly, const Positions
 	results.push_back({"max_displacement", displacements.maxCoeff(), ""});
 	results.push_back({"mean_displacement", displacements.mean(), ""});
 	results.push_back({"max_distance", distances.maxCoeff(), ""});
+	addDeparture(results, assembly, positions);
 }
 
 void write(FilterCall& call, const PatchAssembly& assembly, const Positions& positions) {
@@ -114,8 +116,14 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	const std::string reason = reasonInWords(report, results);
 	results.push_back({"status", static_cast<int>(report.status),
 					   statusInWords(report, reason, before, after, angleTolerance)});
-	if (report.status != Status::Stopped)
+	call.verdict(reason);
+	if (report.status != Status::Stopped) {
+		for (const std::string& sentence : departuresInWords(results))
+			call.log("warning: " + sentence);
 		write(call, assembly, result.positions);
+		call.log(
+			"way back: MeshLab does not undo filters; File, Reload reads the layer's shape from its file again");
+	}
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 	results.push_back({"seconds", elapsed.count(), ""});
 	return result;

@@ -7,7 +7,7 @@ import dataclasses
 from collections.abc import Mapping
 from typing import Any, Self
 
-from meshlab_developable.description import Reason, Status
+from meshlab_developable.description import WARNINGS, Reason, Status
 
 __all__ = ["LocalReport", "Measures", "OptimizationReport", "PatternReport", "Status"]
 
@@ -53,6 +53,9 @@ class OptimizationReport(_Report):
     max_displacement: float
     mean_displacement: float
     max_distance: float  # to the original surface
+    max_displacement_per_cent: float  # of the diagonal of the original's box
+    folded_faces: int  # with a neighbour that they now lie on
+    shrunken_patches: int  # that have lost more than half of their area
     iterations: int  # of the local method: operations attempted
     converged: bool
     status: Status
@@ -74,11 +77,20 @@ class OptimizationReport(_Report):
         """Whether the result is, by the method's own tolerances."""
         return self.status in (Status.CONVERGED, Status.NOTHING_TO_DO)
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a user should know of a result far from its input, in the words of the filter's log."""
+        values = dataclasses.asdict(self)
+        return tuple(_filled_in(text, values) for key, limit, text in WARNINGS if values[key] > limit)
+
 
 def _reason_in_words(values: Mapping[str, Any]) -> str:
-    """What the reason says, or the status where it has nothing to add; with the numbers put in as the plugin
-    does it."""
-    text = Reason(values["reason"]).text or Status(values["status"]).text
+    """What the reason says, or the status where it has nothing to add."""
+    return _filled_in(Reason(values["reason"]).text or Status(values["status"]).text, values)
+
+
+def _filled_in(text: str, values: Mapping[str, Any]) -> str:
+    """The text with the numbers put in as the plugin does it."""
     shown = {
         name: f"{value:.4g}" if isinstance(value, float) else str(value) for name, value in values.items()
     }

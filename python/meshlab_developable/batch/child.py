@@ -60,14 +60,35 @@ def _work(request: dict[str, Any]) -> dict[str, Any]:
 def _developed(request: dict[str, Any]) -> dict[str, Any]:
     applied, report_type = METHODS[request["method"]]
     meshes = mesh_sets.open_mesh(Path(request["source"]))
-    numbers = mesh_sets.apply_filter(meshes, applied, request["parameters"])
     scratch = Path(request["scratch"])
+    with written_whole(Path(request["before"]), scratch) as path:
+        write_thumbnail(path, meshes.current_mesh())
+    numbers = mesh_sets.apply_filter(meshes, applied, request["parameters"])
     save_whole(meshes, Path(request["target"]), scratch)
     with written_whole(Path(request["thumbnail"]), scratch) as path:
         write_thumbnail(path, meshes.current_mesh())
     report = report_type.from_values(numbers)
     state = State.DONE if report.developable else State.NOT_CONVERGED
-    return {"state": state, "message": report.reason, "numbers": numbers}
+    message = "; ".join((report.reason, *report.warnings, *_pattern_notes(request)))
+    return {"state": state, "message": message, "numbers": numbers}
+
+
+def _pattern_notes(request: dict[str, Any]) -> tuple[str, ...]:
+    """Write the mesh's pattern, where that was asked for; what a user should know of it."""
+    if request["patterns"] is None:
+        return ()
+    from meshlab_developable.patterns import make_patterns
+
+    parts = {
+        key: request["parameters"][key]
+        for key in ("patches", "weld_distance")
+        if key in request["parameters"]
+    }
+    target, folder = Path(request["target"]), Path(request["pattern"])
+    try:
+        return make_patterns(target, folder=folder, name=folder.name, **request["patterns"], **parts).notes
+    except DevelopableError as error:
+        return (f"no pattern: {error}",)
 
 
 def _limit_memory(limit: float) -> None:

@@ -48,6 +48,8 @@ class Job:
     source: Path
     target: Path
     thumbnail: Path
+    before: Path  # the picture of the input
+    pattern: Path  # a folder
     record: Path
     scratch: Path  # a folder on the same file system, for what is not finished
     settings: Settings
@@ -60,6 +62,8 @@ class Job:
         except OSError:
             file = []
         what = [str(self.source), file, self.settings.method, sorted(self.settings.parameters.items())]
+        if self.settings.patterns is not None:
+            what.append(sorted(self.settings.patterns.items()))
         text = json.dumps([meshlab_developable.__version__, *what])
         return hashlib.sha256(text.encode()).hexdigest()
 
