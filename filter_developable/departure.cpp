@@ -40,8 +40,6 @@ double numberOf(const Result& result) {
 	return std::visit([](auto value) { return static_cast<double>(value); }, result.value);
 }
 
-} // namespace
-
 void addDeparture(Results& results, const PatchAssembly& assembly, const Positions& positions) {
 	const Positions& original = assembly.originalPositions;
 	const double diagonal = (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
@@ -52,7 +50,11 @@ void addDeparture(Results& results, const PatchAssembly& assembly, const Positio
 	results.push_back({"shrunken_patches", countShrunken(assembly, before, after), ""});
 }
 
-std::vector<std::string> departuresInWords(const Results& results) {
+} // namespace
+
+std::vector<std::string> departuresInWords(Results results, const PatchAssembly& assembly,
+										   const Positions& positions) {
+	addDeparture(results, assembly, positions);
 	std::vector<std::string> sentences;
 	for (const Warning& warning : departureWarnings)
 		for (const Result& result : results)

@@ -10,7 +10,7 @@ namespace developable::plugin {
 
 /// What the log says when a result is above a limit.
 struct Warning {
-	const char* key; ///< of the result
+	const char* key; ///< of what is measured
 	double limit;
 	const char* text; ///< {names} stand for results with these keys
 };
@@ -24,12 +24,10 @@ inline constexpr Warning departureWarnings[] = {
 	{"shrunken_patches", 0, "{shrunken_patches} of {patches} patches lost more than half of their area"},
 };
 
-/// Results with the keys of the warnings: the largest displacement in per cent of the diagonal of the
+/// The sentences of what is above its limit: the largest displacement in per cent of the diagonal of the
 /// original's box; faces at edges whose normals made less than 90° and make more than 120°; patches whose
-/// area is less than half of what it was.
-void addDeparture(Results& results, const PatchAssembly& assembly, const Positions& positions);
-
-/// The sentences of what is above its limit.
-std::vector<std::string> departuresInWords(const Results& results);
+/// area is less than half of what it was. \param results  with the other numbers that the sentences take
+std::vector<std::string> departuresInWords(Results results, const PatchAssembly& assembly,
+										   const Positions& positions);
 
 } // namespace developable::plugin

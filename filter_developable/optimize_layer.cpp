@@ -73,7 +73,6 @@ void addChanges(Results& results, const PatchAssembly& assembly, const Positions
 	results.push_back({"max_displacement", displacements.maxCoeff(), ""});
 	results.push_back({"mean_displacement", displacements.mean(), ""});
 	results.push_back({"max_distance", distances.maxCoeff(), ""});
-	addDeparture(results, assembly, positions);
 }
 
 void write(FilterCall& call, const PatchAssembly& assembly, const Positions& positions) {
@@ -118,7 +117,7 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 					   statusInWords(report, reason, before, after, angleTolerance)});
 	call.verdict(reason);
 	if (report.status != Status::Stopped) {
-		for (const std::string& sentence : departuresInWords(results))
+		for (const std::string& sentence : departuresInWords(results, assembly, result.positions))
 			call.log("warning: " + sentence);
 		write(call, assembly, result.positions);
 		call.log(

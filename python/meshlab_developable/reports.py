@@ -17,7 +17,8 @@ class _Report:
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> Self:
         """From the dictionary that the filter returned, which must have every key."""
-        return cls(**{field.name: values[field.name] for field in dataclasses.fields(cls)})
+        needed = (field for field in dataclasses.fields(cls) if field.default is dataclasses.MISSING)
+        return cls(**{field.name: values[field.name] for field in needed})
 
 
 @dataclasses.dataclass(frozen=True)
@@ -53,9 +54,6 @@ class OptimizationReport(_Report):
     max_displacement: float
     mean_displacement: float
     max_distance: float  # to the original surface
-    max_displacement_per_cent: float  # of the diagonal of the original's box
-    folded_faces: int  # with a neighbour that they now lie on
-    shrunken_patches: int  # that have lost more than half of their area
     iterations: int  # of the local method: operations attempted
     converged: bool
     status: Status
@@ -65,6 +63,7 @@ class OptimizationReport(_Report):
     worst_y: float
     worst_z: float
     seconds: float
+    warnings: tuple[str, ...] = dataclasses.field(default=(), kw_only=True)  # of a result far from its input
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> Self:
@@ -77,11 +76,11 @@ class OptimizationReport(_Report):
         """Whether the result is, by the method's own tolerances."""
         return self.status in (Status.CONVERGED, Status.NOTHING_TO_DO)
 
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What a user should know of a result far from its input, in the words of the filter's log."""
-        values = dataclasses.asdict(self)
-        return tuple(_filled_in(text, values) for key, limit, text in WARNINGS if values[key] > limit)
+    def compared(self, departure: Mapping[str, float]) -> Self:
+        """With warnings of what is above its limit, in the words of the filter's log. See `departure`."""
+        values = {**dataclasses.asdict(self), **departure}
+        found = (_filled_in(text, values) for key, limit, text in WARNINGS if values[key] > limit)
+        return dataclasses.replace(self, warnings=tuple(found))
 
 
 def _reason_in_words(values: Mapping[str, Any]) -> str:

@@ -17,6 +17,7 @@ from typing import Any
 from meshlab_developable import mesh_sets, plugin
 from meshlab_developable.batch.records import State
 from meshlab_developable.batch.thumbnails import write_thumbnail
+from meshlab_developable.departure import departure_of
 from meshlab_developable.errors import DevelopableError, LostFacesWarning
 from meshlab_developable.file_methods import save_whole
 from meshlab_developable.methods import METHODS
@@ -61,13 +62,14 @@ def _developed(request: dict[str, Any]) -> dict[str, Any]:
     applied, report_type = METHODS[request["method"]]
     meshes = mesh_sets.open_mesh(Path(request["source"]))
     scratch = Path(request["scratch"])
-    with written_whole(Path(request["before"]), scratch) as path:
-        write_thumbnail(path, meshes.current_mesh())
+    if request["before"] is not None:
+        with written_whole(Path(request["before"]), scratch) as path:
+            write_thumbnail(path, meshes.current_mesh())
     numbers = mesh_sets.apply_filter(meshes, applied, request["parameters"])
     save_whole(meshes, Path(request["target"]), scratch)
     with written_whole(Path(request["thumbnail"]), scratch) as path:
         write_thumbnail(path, meshes.current_mesh())
-    report = report_type.from_values(numbers)
+    report = report_type.from_values(numbers).compared(departure_of(meshes.current_mesh()))
     state = State.DONE if report.developable else State.NOT_CONVERGED
     message = "; ".join((report.reason, *report.warnings, *_pattern_notes(request)))
     return {"state": state, "message": message, "numbers": numbers}
@@ -75,7 +77,7 @@ def _developed(request: dict[str, Any]) -> dict[str, Any]:
 
 def _pattern_notes(request: dict[str, Any]) -> tuple[str, ...]:
     """Write the mesh's pattern, where that was asked for; what a user should know of it."""
-    if request["patterns"] is None:
+    if request["patterns"] is None or request["pattern"] is None:
         return ()
     from meshlab_developable.patterns import make_patterns
 

@@ -62,10 +62,10 @@ def badness(row: Row) -> tuple[int, float, str]:
 
 def _pattern(out: Path, job: Job) -> str | None:
     """The sheet to look at, the first where there are several."""
-    sheets = sorted(job.pattern.glob("*.svg")) if job.pattern.is_dir() else []
+    sheets = sorted(job.pattern.glob("*.svg")) if job.pattern is not None else []
     return _address(out, sheets[0]) if sheets else None
 
 
-def _address(out: Path, file: Path) -> str | None:
+def _address(out: Path, file: Path | None) -> str | None:
     """Relative to the page; None when there is no such file."""
-    return quote(os.path.relpath(file, out)) if file.is_file() else None
+    return quote(os.path.relpath(file, out)) if file is not None and file.is_file() else None

@@ -48,11 +48,11 @@ class Job:
     source: Path
     target: Path
     thumbnail: Path
-    before: Path  # the picture of the input
-    pattern: Path  # a folder
     record: Path
     scratch: Path  # a folder on the same file system, for what is not finished
     settings: Settings
+    before: Path | None = None  # the picture of the input
+    pattern: Path | None = None  # a folder
 
     def fingerprint(self) -> str:
         """Tells whether a record is about this mesh as it is now, and about this method."""

@@ -24,7 +24,7 @@ from meshlab_developable.batch.table import write_tables
 from meshlab_developable.errors import DevelopableError
 
 Finished = Callable[[Row], None]
-SECONDS_BETWEEN = 2.0  # from one writing of the pages to the next, at least
+SECONDS_BETWEEN = 3.0  # from the first mesh to the pages, and from one writing of them to the next
 
 
 def run(
@@ -74,7 +74,7 @@ class _Pages:
 
     def __init__(self, out: Path, jobs: Sequence[Job], settings: Settings, scratch: Path) -> None:
         self._out, self._jobs, self._settings, self._scratch = out, jobs, settings, scratch
-        self._next = 0.0
+        self._next: float | None = None  # when to write again
 
     def write(self, rows: Mapping[str, Row]) -> None:
         """With the meshes that are finished."""
@@ -86,6 +86,8 @@ class _Pages:
     def write_now_and_then(self, rows: Mapping[str, Row]) -> None:
         """Unless that was done a moment ago; the more there is to write, the longer the moment."""
         start = time.monotonic()
+        if self._next is None:
+            self._next = start + SECONDS_BETWEEN
         if start < self._next:
             return
         self.write(rows)
@@ -103,10 +105,11 @@ def work(job: Job) -> Row:
     children = get_worker().plugins[Children.name]
     assert isinstance(children, Children)
     fingerprint = job.fingerprint()  # of the file as it is before it is read
-    for path in (job.target, job.thumbnail, job.before):
+    for path in filter(None, (job.target, job.thumbnail, job.before)):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)  # of an earlier run of another method
-    shutil.rmtree(job.pattern, ignore_errors=True)
+    if job.pattern is not None:
+        shutil.rmtree(job.pattern, ignore_errors=True)
     row = children.work(job)
     write_record(job, row, fingerprint)
     return row

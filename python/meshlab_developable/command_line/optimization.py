@@ -26,9 +26,10 @@ def optimization_command(applied: Filter, explanation: str) -> click.Command:
             report = develop_file(mesh, output, applied.name, verbose=shown, **shared.given(options))
         values = dataclasses.asdict(report) | {"status": report.status.name.lower()}
         said = values.pop("reason")
-        words = {"input": mesh, "output": output, "message": said, "warnings": report.warnings}
+        warnings = values.pop("warnings")
+        words = {"input": mesh, "output": output, "message": said, "warnings": warnings}
         shared.print_result(as_json, f"{output}: {said}", values, **words)
-        for warning in () if as_json else report.warnings:
+        for warning in () if as_json else warnings:
             click.echo(f"warning: {warning}", err=True)
         sys.exit(shared.Exit.DONE if report.developable else shared.Exit.NOT_CONVERGED)
 
