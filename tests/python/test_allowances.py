@@ -94,6 +94,26 @@ def test_the_hem_of_a_leaning_seam_is_its_mirror_image(tmp_path):
     assert np.abs(differences).min(axis=1).max() < 0.05
 
 
+def test_a_hem_runs_across_the_mouth_of_a_dart(tmp_path):
+    """Where it would fold back at each leg, scraps would be cut out of it."""
+    mesh = slit_cone()
+    options = {"folder": tmp_path, "weld_distance": 1e-6, "formats": ["dxf"]}
+    make_patterns(*mesh, **options, seam_allowance=10, hem_allowance=30)
+    layers = next(iter(readers.read_dxf_blocks(tmp_path / "pattern.dxf").values()))
+    cut, sewn = shapes_of(tmp_path)
+    assert "11" not in layers
+    assert cut.is_valid
+    assert cut.contains(sewn)
+    assert cut.area < sewn.buffer(30.5, join_style="mitre").area
+
+
+def slit_cone():
+    """A cone whose flat piece has a dart from its border to its tip."""
+    turns = np.linspace(0, 2 * np.pi, 61)
+    ring = np.stack([150 * np.cos(turns), 150 * np.sin(turns), 0 * turns], axis=1)
+    return np.vstack([[(0, 0, 30.0)], ring]), np.array([(0, 1 + i, 2 + i) for i in range(60)])
+
+
 def test_mirrored_pieces_are_drawn_once_with_their_number(tmp_path):
     positions, faces = grid(9, 9, lambda u, v: (100 * u + 30 * v, 100 * v + 40 * u * v, 0 * u))
     pair = np.vstack([positions, positions * (-1, 1, 1) - (300, 0, 0)])

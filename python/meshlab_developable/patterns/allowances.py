@@ -14,6 +14,7 @@ from meshlab_developable.patterns.winding import cells_by_winding
 
 MITRE_LIMIT = 3.0  # of the allowance: sharper corners are cut off at that distance
 NARROWEST_OPENING = 1.0  # mm, between allowances, that is cut
+_SPIKE = 3.0  # mm; what is narrower is no allowance
 _STEADY = np.radians(20)  # where a boundary turns less, a change of width is a step
 _STEEP = 0.35  # the sine of the least angle between a hem and the side beside it
 
@@ -24,6 +25,7 @@ class Width:
 
     width: float  # mm
     folded_back: bool = False
+    dart: bool = False  # of a dart's leg, where hems do not end but run across
 
 
 def widened(sewn: shapely.Polygon, widths: Sequence[Sequence[Width]]) -> tuple[shapely.Polygon, bool]:
@@ -42,11 +44,18 @@ def widened(sewn: shapely.Polygon, widths: Sequence[Sequence[Width]]) -> tuple[s
         rings = [np.array(ring.coords)[:-1] for ring in (sewn.exterior, *sewn.interiors)]
         outer, *inner = [_moved(ring, of_ring) for ring, of_ring in zip(rings, widths, strict=True)]
         wide = shapely.union(outer, sewn).difference(shapely.union_all(inner)) if inner else outer
-        wide = max(shapely.get_parts(shapely.union(wide, sewn)), key=shapely.area)
+        # Where widths differ at a sharp corner a spike may be left.
+        blunt = wide.buffer(-_SPIKE / 2, join_style="mitre", mitre_limit=5)
+        wide = shapely.union(blunt.buffer(_SPIKE / 2, join_style="mitre", mitre_limit=5), sewn)
+        wide = max(shapely.get_parts(wide), key=shapely.area)
     openings = [shapely.Polygon(ring) for ring in wide.interiors]
     # Where allowances meet again, as at the mouth of a notch, they may leave an opening that is no hole of
     # the piece, and slivers that no knife could follow.
     kept = [opening for opening in openings if not opening.buffer(-NARROWEST_OPENING / 2).is_empty]
+    if len(used) > 1:  # a wide hem across a dart's mouth leaves none in the dart
+        least = sewn.buffer(min(width.width for width in used), join_style="mitre", mitre_limit=MITRE_LIMIT)
+        real = [shapely.Polygon(ring) for ring in (*least.interiors, *sewn.interiors)]
+        kept = [opening for opening in kept if any(other.intersects(opening) for other in real)]
     cut = shapely.Polygon(wide.exterior, [opening.exterior for opening in kept])
     holes = [shapely.Polygon(ring) for ring in sewn.interiors]
     return cut, all(any(hole.intersects(opening) for opening in kept) for hole in holes)
@@ -77,7 +86,7 @@ def _join(corner: Array, index: int, along: Array, normals: Array, widths: Seque
         return [corner + before.width * (out + out_after) / (1 + cosine)]
     if abs(np.arctan2(sine, cosine)) < _STEADY:
         return list(ends)
-    if before.folded_back != after.folded_back:
+    if before.folded_back != after.folded_back and not (before.dart or after.dart):
         hem = before if before.folded_back else after
         hem_along, side_along = (one, -other) if before.folded_back else (-other, one)
         hem_out, side_end = (out, ends[1]) if before.folded_back else (out_after, ends[0])

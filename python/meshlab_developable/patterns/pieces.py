@@ -105,19 +105,26 @@ def _require_simple(sewn: shapely.Polygon, name: str) -> None:
         )
 
 
-def _widths(name: str, ring: IndexArray, sewn: set[tuple[int, int]], options: PatternOptions) -> list[Width]:
+def _widths(
+    name: str, ring: IndexArray, sewn: dict[tuple[int, int], bool], options: PatternOptions
+) -> list[Width]:
     """The allowance along each edge of a ring. Hems fold back to fit where they have a width of their own."""
     seam, hem = (options.allowance(name, edge) for edge in EDGES)
     after = np.roll(ring, -1).tolist()
     return [
-        Width(seam) if seam == hem or (min(edge), max(edge)) in sewn else Width(hem, folded_back=True)
+        Width(seam)
+        if seam == hem
+        else Width(seam, dart=sewn[pair])
+        if (pair := (min(edge), max(edge))) in sewn
+        else Width(hem, folded_back=True)
         for edge in zip(ring.tolist(), after, strict=True)
     ]
 
 
-def _sewn_edges(seams: Sequence[Seam]) -> set[tuple[int, int]]:
+def _sewn_edges(seams: Sequence[Seam]) -> dict[tuple[int, int], bool]:
+    """The edges of all seams, and whether each is of a dart, whose legs meet at its tip."""
     return {
-        (min(edge), max(edge))
+        (min(edge), max(edge)): any(seam.sides[0][end] == seam.sides[1][end] for end in (0, -1))
         for seam in seams
         for side in seam.sides
         for edge in itertools.pairwise(side.tolist())
