@@ -104,6 +104,7 @@ def test_a_hem_runs_across_the_mouth_of_a_dart(tmp_path):
     assert "11" not in layers
     assert cut.is_valid
     assert cut.contains(sewn)
+    assert cut.buffer(0.5).contains(sewn.buffer(10, join_style="mitre", mitre_limit=3))
     assert cut.area < sewn.buffer(30.5, join_style="mitre").area
 
 

@@ -45,8 +45,8 @@ def widened(sewn: shapely.Polygon, widths: Sequence[Sequence[Width]]) -> tuple[s
         outer, *inner = [_moved(ring, of_ring) for ring, of_ring in zip(rings, widths, strict=True)]
         wide = shapely.union(outer, sewn).difference(shapely.union_all(inner)) if inner else outer
         # Where widths differ at a sharp corner a spike may be left.
-        blunt = wide.buffer(-_SPIKE / 2, join_style="mitre", mitre_limit=5)
-        wide = shapely.union(blunt.buffer(_SPIKE / 2, join_style="mitre", mitre_limit=5), sewn)
+        blunt = wide.buffer(-_SPIKE / 2).buffer(_SPIKE / 2, join_style="mitre", mitre_limit=5)
+        wide = shapely.union(shapely.intersection(blunt, wide), sewn)
         wide = max(shapely.get_parts(wide), key=shapely.area)
     openings = [shapely.Polygon(ring) for ring in wide.interiors]
     # Where allowances meet again, as at the mouth of a notch, they may leave an opening that is no hole of
