@@ -3,6 +3,7 @@
 #include "description.h"
 
 #include "adapter.h"
+#include "departure.h"
 #include "filters/filters.h"
 
 #include "developable/mesh/mesh.h"
@@ -102,14 +103,16 @@ QJsonObject entry(int number, const char* name, const char* text) {
 }
 
 QJsonObject describeAll() {
-	QJsonArray filters, statuses, reasons;
+	QJsonArray filters, statuses, reasons, warnings;
 	for (const FilterDescription& filter : allFilters())
 		filters.push_back(describe(filter));
 	for (const StatusProperties& known : statusProperties)
 		statuses.push_back(entry(static_cast<int>(known.status), known.name, known.text));
 	for (const ReasonProperties& known : reasonProperties)
 		reasons.push_back(entry(static_cast<int>(known.reason), known.name, known.text));
-	return {{"filters", filters}, {"statuses", statuses}, {"reasons", reasons}};
+	for (const Warning& known : departureWarnings)
+		warnings.push_back(QJsonObject{{"key", known.key}, {"limit", known.limit}, {"text", known.text}});
+	return {{"filters", filters}, {"statuses", statuses}, {"reasons", reasons}, {"warnings", warnings}};
 }
 
 } // namespace

@@ -20,6 +20,8 @@ struct FilterCall {
 	std::function<void(const std::string& line)> log;
 	/// Adds an empty layer, named like the current one with a suffix, and makes it the current one.
 	std::function<Layer(const std::string& suffix)> addLayer;
+	/// Says in a few words how it went; that stands first in the log, whatever else is logged before.
+	std::function<void(const std::string& words)> verdict = [](const std::string&) {};
 };
 
 } // namespace developable::plugin

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace developable::plugin {
 
@@ -21,7 +22,7 @@ std::string estimateInWords(double secondsSoFar, double fractionDone) {
 	if (left < 1)
 		return "; less than a second left at this pace";
 	const auto about = [](double number, const char* unit) {
-		return "; about " + formatted(number, number < 10 ? 1 : 2) + " " + unit + " left at this pace";
+		return "; about " + std::to_string(std::lround(number)) + " " + unit + " left at this pace";
 	};
 	if (left < 90)
 		return about(left, "seconds");

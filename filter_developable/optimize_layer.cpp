@@ -2,6 +2,7 @@
 // optimize_layer.cpp: read, optimise, round, measure, write back once.
 #include "optimize_layer.h"
 
+#include "departure.h"
 #include "layer.h"
 #include "map_output.h"
 #include "panel_output.h"
@@ -134,11 +135,15 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	const std::string reason = reasonInWords(report, results);
 	results.push_back({"status", static_cast<int>(report.status),
 					   statusInWords(report, reason, before, after, angleTolerance)});
-	if (report.status != Status::Stopped)
-		write(call, assembly, result.positions, panels);
+	call.verdict(reason);
 	logPanels(call, panels);
-	if (const std::string warning = warningOfFarMoves(assembly, result.positions, panels); !warning.empty())
-		call.log("warning: " + warning);
+	if (report.status != Status::Stopped) {
+		for (const std::string& sentence : departuresInWords(results, assembly, result.positions))
+			call.log("warning: " + sentence);
+		write(call, assembly, result.positions, panels);
+		call.log(
+			"way back: MeshLab does not undo filters; File, Reload reads the layer's shape from its file again");
+	}
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 	results.push_back({"seconds", elapsed.count(), ""});
 	return result;

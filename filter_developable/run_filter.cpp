@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <new>
+#include <utility>
 
 namespace developable::plugin {
 
@@ -76,10 +77,17 @@ Results runFilter(const FilterDescription& filter, FilterCall& call) {
 	const std::string solver = chosenSolver(filter, call.values);
 	for (const Parameter& parameter : filter.parameters)
 		check(parameter, call.values, solver);
-	call.log(filter.name);
+	std::vector<std::string> lines;
+	std::string verdict;
+	const auto log = std::exchange(call.log, [&](const std::string& line) { lines.push_back(line); });
+	call.verdict = [&](const std::string& words) { verdict = words; };
 	Results results = filter.run(call);
+	call.log = log;
+	log(verdict.empty() ? filter.name : filter.name + ": " + verdict);
 	for (const Result& result : results)
-		call.log(logLine(result));
+		lines.push_back(logLine(result));
+	for (const std::string& line : lines)
+		log(line);
 	return results;
 }
 

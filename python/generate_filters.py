@@ -107,7 +107,16 @@ def description_text(described: Any) -> str:
         "What there is to say of a status beyond its own text; {names} stand for results of the filter.",
         described["reasons"],
     )
-    return text
+    return text + warnings_text(described["warnings"])
+
+
+def warnings_text(warnings: Any) -> str:
+    """What a result is warned of: its key, the limit, and the words."""
+    rows = "".join(
+        f"({known['key']!r}, {float(known['limit'])!r}, {known['text']!r}),\n" for known in warnings
+    )
+    comment = "# Of an optimisation, by a key of its results: above which value, and what to say."
+    return f"\n\n{comment}\nWARNINGS = ({rows})\n"
 
 
 def parameter_text(parameter: Any) -> str:

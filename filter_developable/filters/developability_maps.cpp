@@ -98,6 +98,10 @@ Results run(FilterCall& call) {
 		call.log("stopped by the user: nothing was changed");
 		return results;
 	}
+	call.verdict(
+		filledIn("{total_absolute_curvature} rad of total absolute curvature; the largest angle defect "
+				 "is {max_angle_defect} rad",
+				 results));
 	const ComputedMap& shown = find(maps, chosen, reference.has_value());
 	for (const ComputedMap& computed : maps)
 		writeMap(call, assembly, computed.map, computed.values);

@@ -9,17 +9,32 @@
 #include "developable/flatten/flatten.h"
 #include "developable/vcg_mesh/vcg_mesh.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace developable::plugin {
 
 namespace {
+
+constexpr double marginBeside = 0.05; ///< of the patterns' diagonal, between them and the model
 
 /// The patterns as a mesh with the host's scalar holds them, measured again.
 FlatPatterns roundedPatterns(FlatPatterns patterns, const PatchAssembly& assembly) {
 	patterns.positions = patterns.positions.cast<host::Scalar>().cast<double>();
 	measurePatterns(assembly, assembly.originalPositions, patterns);
 	return patterns;
+}
+
+/// Moves the patterns along x until they are clear of the model, which they would go through otherwise.
+void placeBeside(const CMeshO& model, FlatPatterns& patterns) {
+	double right = -std::numeric_limits<double>::infinity();
+	for (const auto& vertex : model.vert)
+		if (!vertex.IsD())
+			right = std::max(right, double((model.Tr * vertex.cP())[0]));
+	const Eigen::Vector2d low = patterns.positions.rowwise().minCoeff(),
+						  size = patterns.positions.rowwise().maxCoeff() - low;
+	patterns.positions.row(0).array() += right + marginBeside * size.norm() - low[0];
 }
 
 /// An assembly that says of a layer made by writePatterns only which vertex a value belongs to.
@@ -85,6 +100,7 @@ Results run(FilterCall& call) {
 	if (patterns.report.stopped) {
 		call.log("stopped by the user: nothing was changed");
 	} else {
+		placeBeside(call.layer.mesh(), patterns);
 		patterns = roundedPatterns(std::move(patterns), assembly);
 		if (call.values.boolean("write_texture_coordinates"))
 			writeTextureCoordinates(call.layer, assembly, patterns);
@@ -98,6 +114,13 @@ Results run(FilterCall& call) {
 			call.log(note);
 	}
 	const FlattenReport& report = patterns.report;
+	if (!report.stopped)
+		call.verdict(std::to_string(report.pieces) + (report.pieces == 1 ? " piece" : " pieces") +
+					 " laid flat; edges change by at most " + formatted(100 * report.maxEdgeStrain, 3) +
+					 " % of their length" +
+					 (report.overlappingPieces > 0
+						  ? "; " + std::to_string(report.overlappingPieces) + " overlap"
+						  : ""));
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 	return {
 		{"pieces", report.pieces, ""},

@@ -13,6 +13,8 @@ Results run(FilterCall& call) {
 	const PolygonReport report = triangulatePolygons(call.layer.mesh());
 	if (report.edgesChanged > 0)
 		call.layer.facesChanged();
+	call.verdict(std::to_string(report.polygons) + " polygons, " + std::to_string(report.edgesChanged) +
+				 " diagonals changed");
 	return {
 		{"polygons", report.polygons, ""},
 		{"edges_changed", report.edgesChanged, ""},

@@ -387,8 +387,20 @@ _REASON_TEXTS = {
     Reason.AS_STATUS: "",
     Reason.NOT_LOWERED: "stalled: the last 20 operations a movable vertex have not lowered G",
     Reason.NOTHING_MOVES: "stalled: within the tolerance nothing can move any more",
-    Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
+    Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); next, cut it: 'developable cut' on the command line, the filter Cut into Developable Panels in MeshLab",
     Reason.UNSOLVABLE: "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept",
     Reason.TOO_FAR: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); the nearest developable one found moves a vertex by {nearest_developable}, farther than max_displacement allows",
     Reason.NEARLY_THERE: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); but it is nearly there: laid flat as it is, no edge changes its length by more than {edge_strain_left} %",
 }
+
+
+# Of an optimisation, by a key of its results: above which value, and what to say.
+WARNINGS = (
+    (
+        "max_displacement_per_cent",
+        5.0,
+        "far from its input: a vertex moved by {max_displacement} units of the mesh, {max_displacement_per_cent} % of the diagonal",
+    ),
+    ("folded_faces", 0.0, "{folded_faces} faces are folded over their neighbours"),
+    ("shrunken_patches", 0.0, "{shrunken_patches} of {patches} patches lost more than half of their area"),
+)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from meshlab_developable import mesh_sets
+from meshlab_developable.departure import departure_of
 from meshlab_developable.errors import InvalidMeshError, WriteError
 from meshlab_developable.filters import FLATTEN, MAPS
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
@@ -48,7 +49,8 @@ def develop_file(
     result = mesh_sets.apply_filter(meshes, applied, values)
     meshes.set_verbosity(False)
     save_whole(meshes, target)
-    return report_type.from_values(result, panel_reports(meshes.current_mesh()))
+    mesh_after = meshes.current_mesh()
+    return report_type.from_values(result, panel_reports(mesh_after)).compared(departure_of(mesh_after))
 
 
 def flatten_file(

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from meshlab_developable import mesh_sets, plugin
+from meshlab_developable.departure import departure_of
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import GLOBAL, LOCAL, MAPS, Filter
 from meshlab_developable.mesh_sets import Array, IndexArray, Source
@@ -115,7 +116,7 @@ def make_developable(
     # Copies: what pymeshlab hands out dies with its set.
     positions = np.array(mesh.vertex_matrix())
     faces = np.array(mesh.face_matrix())
-    report = report_type.from_values(result, panel_reports(mesh))
+    report = report_type.from_values(result, panel_reports(mesh)).compared(departure_of(mesh))
     return Developed(positions, faces, plugin.vertex_quality(mesh), report)
 
 

@@ -7,7 +7,7 @@ import dataclasses
 from collections.abc import Mapping, Sequence
 from typing import Any, Self
 
-from meshlab_developable.description import Reason, Status
+from meshlab_developable.description import WARNINGS, Reason, Status
 
 __all__ = ["LocalReport", "Measures", "OptimizationReport", "PanelReport", "PatternReport", "Status"]
 
@@ -20,7 +20,8 @@ class _Report:
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> Self:
         """From the dictionary that the filter returned, which must have every key."""
-        return cls(**{field.name: values[field.name] for field in dataclasses.fields(cls)})
+        needed = (field for field in dataclasses.fields(cls) if field.default is dataclasses.MISSING)
+        return cls(**{field.name: values[field.name] for field in needed})
 
 
 @dataclasses.dataclass(frozen=True)
@@ -97,6 +98,7 @@ class OptimizationReport(_Report):
     )
     seconds: float
     panels: Sequence[PanelReport] = dataclasses.field(kw_only=True)
+    warnings: tuple[str, ...] = dataclasses.field(default=(), kw_only=True)  # of a result far from its input
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any], panels: Sequence[PanelReport] = ()) -> Self:
@@ -110,11 +112,20 @@ class OptimizationReport(_Report):
         """Whether the result is, by the method's own tolerances."""
         return self.status in DEVELOPABLE
 
+    def compared(self, departure: Mapping[str, float]) -> Self:
+        """With warnings of what is above its limit, in the words of the filter's log. See `departure`."""
+        values = {**dataclasses.asdict(self), **departure}
+        found = (_filled_in(text, values) for key, limit, text in WARNINGS if values[key] > limit)
+        return dataclasses.replace(self, warnings=tuple(found))
+
 
 def _reason_in_words(values: Mapping[str, Any]) -> str:
-    """What the reason says, or the status where it has nothing to add; with the numbers put in as the plugin
-    does it."""
-    text = Reason(values["reason"]).text or Status(values["status"]).text
+    """What the reason says, or the status where it has nothing to add."""
+    return _filled_in(Reason(values["reason"]).text or Status(values["status"]).text, values)
+
+
+def _filled_in(text: str, values: Mapping[str, Any]) -> str:
+    """The text with the numbers put in as the plugin does it."""
     shown = {
         name: f"{value:.4g}" if isinstance(value, float) else str(value) for name, value in values.items()
     }

@@ -17,11 +17,14 @@ missing_packages() {
 		<(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' | sort -u)
 }
 
-# install_packages NAME...
+# install_packages NAME...: with DEVELOPABLE_INSTALL=never only says what is missing
 install_packages() {
 	local missing
 	mapfile -t missing < <(missing_packages "$@")
 	if ((${#missing[@]} == 0)); then return; fi
+	if [[ ${DEVELOPABLE_INSTALL:-} == never ]]; then
+		fail "these packages of the system are missing, by their names in Debian: ${missing[*]}; install them first"
+	fi
 	say "installing Debian packages: ${missing[*]}"
 	# Another source of the machine's may fail without harm: whether ours are there shows in the installation.
 	as_root apt-get -q update >/dev/null || true

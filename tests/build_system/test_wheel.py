@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -78,7 +79,11 @@ def python(wheel, tmp_path_factory) -> Path:
 def test_the_wheel_has_the_plugin_and_serves_every_python(wheel):
     assert wheel.name.split("-")[2:4] == ["py3", "none"]
     assert not wheel.name.endswith("-any.whl")
-    plugin = (ROOT / "build" / HOST / "libfilter_developable.so").read_bytes()
+    (major, minor) = map(int, re.search(r"-manylinux_(\d+)_(\d+)_x86_64\.whl$", wheel.name).groups())
+    file = ROOT / "build" / HOST / "libfilter_developable.so"
+    symbols = re.findall(r"GLIBC_(\d+)\.(\d+)", run("objdump", "-T", file))
+    assert max((int(a), int(b)) for a, b in symbols) <= (major, minor)
+    plugin = file.read_bytes()
     with zipfile.ZipFile(wheel) as archive:
         assert archive.read(PLUGIN) == plugin
         names = archive.namelist()
@@ -88,6 +93,19 @@ def test_the_wheel_has_the_plugin_and_serves_every_python(wheel):
     sources = {f"{file.relative_to(package.parent)}" for file in package.rglob("*.py")}
     assert sources <= set(names)
     assert {"meshlab_developable/py.typed", "meshlab_developable/LICENSE"} <= set(names)
+
+
+def test_making_a_wheel_installs_no_packages_of_the_system_but_names_them(tmp_path):
+    """With a dpkg-query that knows of no package, and an apt-get that must not be called."""
+    for name, content in (("dpkg-query", "exit 0"), ("apt-get", f"touch {tmp_path}/called")):
+        (tmp_path / name).write_text(f"#!/bin/sh\n{content}\n")
+        (tmp_path / name).chmod(0o755)
+    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "DEVELOPABLE_INSTALL": "never"}
+    command = ["bash", ROOT / "scripts" / "setup.sh", "wheel"]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+    assert ran.returncode != 0
+    assert re.search(r"these packages of the system are missing.*\bcmake\b.*install them first", ran.stderr)
+    assert not (tmp_path / "called").exists()
 
 
 def test_the_plugin_that_is_loaded_is_the_wheels(python, tmp_path):

@@ -76,6 +76,13 @@ def svg_points(path: svgelements.Path) -> np.ndarray:
     return np.array([(segment.end.x, segment.end.y) for segment in path])
 
 
+def svg_curve(path: svgelements.Path, parts: int = 8) -> np.ndarray:
+    """Points closely along a line of curves, which comes back to the first."""
+    shares = np.linspace(0, 1, parts + 1)[1:]
+    drawn = [segment for segment in path if not isinstance(segment, svgelements.Move)]
+    return np.vstack([segment.npoint(shares) for segment in drawn])
+
+
 def read_pdf(path: Path) -> list[dict]:
     """Pages: their size in mm, their text, and the points of their lines in mm."""
     pages = []

@@ -215,7 +215,6 @@ def test_a_killed_run_goes_on_where_it_was(tmp_path, slow):
     family = psutil.Process(run.pid).children(recursive=True)
     run.kill()
     run.communicate()
-    assert not (out / "results.csv").exists()
     psutil.wait_procs(family, timeout=60)
     assert not [process for process in family if process.is_running()]
     finished = {path.stem for path in out.glob("records/*.json")}

@@ -235,6 +235,8 @@ def test_report_without_the_extra_says_what_to_install(tmp_path, monkeypatch):
     result = developable("report", SHOE, "--out", tmp_path / "report")
     assert result.exit_code == 2
     assert "[render]" in result.stderr
+    clone = Path(meshlab_developable.__file__).parents[1]
+    assert (str(clone) in result.stderr) == (clone / "pyproject.toml").is_file()
 
 
 def test_the_installed_command_has_the_version():

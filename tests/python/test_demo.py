@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 import pymeshlab
@@ -45,7 +46,7 @@ def read_back(file):
 
 
 def test_inputs_of_the_demo_exist():
-    assert [source.name for source in demo_inputs()] == ["dented_shell", "bunny10k_textured"]
+    assert [source.name for source in demo_inputs()] == ["dented_shell", "bunny10k_textured", "short_pants"]
     assert all(source.path.is_file() for source in demo_inputs())
 
 
@@ -166,7 +167,7 @@ class Page(html.parser.HTMLParser):
         self.text += data
 
 
-def test_page_has_the_numbers_and_needs_nothing_else(study, page):
+def test_page_has_the_numbers_and_needs_nothing_else_but_for_its_links(study, page, folder):
     parser = Page()
     parser.feed(page)
     words = re.sub(r"\s+", " ", parser.text)
@@ -177,8 +178,21 @@ def test_page_has_the_numbers_and_needs_nothing_else(study, page):
         assert f"{outcome.report.detect_function_after:.4g} rad²" in words
     assert len(parser.alternatives) == len(study.figures) + 1
     assert all(parser.alternatives)
-    assert all(address.startswith(("data:", "#")) for address in parser.addresses)
+    links = [address for address in parser.addresses if not address.startswith(("data:", "#"))]
+    assert all((folder / unquote(link)).is_file() for link in links)
+    pattern = study.outcomes[0].pattern
+    files = {outcome.file.name for outcome in study.outcomes} | {file.name for file in pattern.to_cut}
+    assert files | {pattern.file.name} == {unquote(link) for link in links}
     assert "url(" not in page
+
+
+def test_the_verdict_comes_first_and_the_cutting_sheet_is_shown(study, page):
+    assert page.index('class="card converged"') < page.index("<table>") < page.index("<svg")
+    card = page[page.index('class="card') : page.index("</a>")]
+    assert "It can be laid flat: converged." in card
+    assert flatness(study.outcomes[0].pattern) in card
+    sheet = page[page.index("<svg") : page.index("</svg>")]
+    assert sheet.count('class="boundary"') == 4
 
 
 def test_every_figure_is_a_picture(study):

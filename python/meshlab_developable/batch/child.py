@@ -18,6 +18,7 @@ from typing import Any
 from meshlab_developable import mesh_sets, plugin
 from meshlab_developable.batch.records import State
 from meshlab_developable.batch.thumbnails import write_thumbnail
+from meshlab_developable.departure import departure_of
 from meshlab_developable.errors import DevelopableError, LostFacesWarning
 from meshlab_developable.file_methods import save_whole
 from meshlab_developable.methods import METHODS
@@ -67,16 +68,38 @@ def _work(request: dict[str, Any]) -> dict[str, Any]:
 def _developed(request: dict[str, Any]) -> dict[str, Any]:
     applied, report_type = METHODS[request["method"]]
     meshes = mesh_sets.open_mesh(Path(request["source"]))
-    numbers = mesh_sets.apply_filter(meshes, applied, request["parameters"])
     scratch = Path(request["scratch"])
+    if request["before"] is not None:
+        with written_whole(Path(request["before"]), scratch) as path:
+            write_thumbnail(path, meshes.current_mesh())
+    numbers = mesh_sets.apply_filter(meshes, applied, request["parameters"])
     save_whole(meshes, Path(request["target"]), scratch)
     with written_whole(Path(request["thumbnail"]), scratch) as path:
         write_thumbnail(path, meshes.current_mesh())
     panels = panel_reports(meshes.current_mesh())
-    report = report_type.from_values(numbers, panels)
+    report = report_type.from_values(numbers, panels).compared(departure_of(meshes.current_mesh()))
     state = State.DONE if report.developable else State.NOT_CONVERGED
     told = [dataclasses.asdict(panel) | {"status": panel.status.name.lower()} for panel in panels]
-    return {"state": state, "message": report.reason, "numbers": numbers, "panels": told}
+    message = "; ".join((report.reason, *report.warnings, *_pattern_notes(request)))
+    return {"state": state, "message": message, "numbers": numbers, "panels": told}
+
+
+def _pattern_notes(request: dict[str, Any]) -> tuple[str, ...]:
+    """Write the mesh's pattern, where that was asked for; what a user should know of it."""
+    if request["patterns"] is None or request["pattern"] is None:
+        return ()
+    from meshlab_developable.patterns import make_patterns
+
+    parts = {
+        key: request["parameters"][key]
+        for key in ("patches", "weld_distance")
+        if key in request["parameters"]
+    }
+    target, folder = Path(request["target"]), Path(request["pattern"])
+    try:
+        return make_patterns(target, folder=folder, name=folder.name, **request["patterns"], **parts).notes
+    except DevelopableError as error:
+        return (f"no pattern: {error}",)
 
 
 def _limit_memory(limit: float) -> None:

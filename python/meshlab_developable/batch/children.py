@@ -67,6 +67,9 @@ class Child:
             "source": str(job.source),
             "target": str(job.target),
             "thumbnail": str(job.thumbnail),
+            "before": job.before and str(job.before),
+            "pattern": job.pattern and str(job.pattern),
+            "patterns": None if job.settings.patterns is None else dict(job.settings.patterns),
             "scratch": str(job.scratch),
             "method": job.settings.method,
             "parameters": dict(job.settings.parameters),
@@ -183,7 +186,8 @@ class Children(WorkerPlugin):
 
 
 def _end_in_words(code: int, said: list[str]) -> str:
-    if code == OUT_OF_MEMORY or any("bad_alloc" in line or "MemoryError" in line for line in said):
+    signs = ("bad_alloc", "MemoryError", "Memory allocation still failed")  # the last is OpenBLAS's
+    if code == OUT_OF_MEMORY or any(sign in line for sign in signs for line in said):
         return "needed more memory than the limit"
     last = f": {said[-1]}" if said else ""
     if code < 0:

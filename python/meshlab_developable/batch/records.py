@@ -52,6 +52,8 @@ class Job:
     record: Path
     scratch: Path  # a folder on the same file system, for what is not finished
     settings: Settings
+    before: Path | None = None  # the picture of the input
+    pattern: Path | None = None  # a folder
 
     def fingerprint(self) -> str:
         """Tells whether a record is about this mesh as it is now, and about this method."""
@@ -61,6 +63,8 @@ class Job:
         except OSError:
             file = []
         what = [str(self.source), file, self.settings.method, sorted(self.settings.parameters.items())]
+        if self.settings.patterns is not None:
+            what.append(sorted(self.settings.patterns.items()))
         text = json.dumps([meshlab_developable.__version__, *what])
         return hashlib.sha256(text.encode()).hexdigest()
 

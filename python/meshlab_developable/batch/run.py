@@ -8,7 +8,8 @@ import fcntl
 import logging
 import os
 import shutil
-from collections.abc import Callable, Iterator, Sequence
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from distributed import Client, LocalCluster, as_completed, get_worker
@@ -23,6 +24,7 @@ from meshlab_developable.batch.table import write_tables
 from meshlab_developable.errors import DevelopableError
 
 Finished = Callable[[Row], None]
+SECONDS_BETWEEN = 3.0  # from the first mesh to the pages, and from one writing of them to the next
 
 
 def run(
@@ -47,6 +49,7 @@ def run(
     with _claimed(out) as scratch:
         jobs = [_job(item, out, scratch, settings) for item in inputs]
         rows = {job.name: row for job in jobs if (row := read_record(job)) and row.state not in again}
+        pages = _Pages(out, jobs, settings, scratch)
         for row in rows.values():
             finished(row)
         waiting = [job for job in jobs if job.name not in rows]
@@ -61,10 +64,34 @@ def run(
                 for row in _work(client, waiting, settings):
                     rows[row.input] = row
                     finished(row)
-        result = [rows[job.name] for job in jobs]
-        write_tables(out, result, settings.method, scratch)
-        write_overview(out, jobs, result, scratch)
-    return result
+                    pages.write_now_and_then(rows)
+        pages.write(rows)
+    return [rows[job.name] for job in jobs]
+
+
+class _Pages:
+    """The tables and the overview, which grow while a batch runs."""
+
+    def __init__(self, out: Path, jobs: Sequence[Job], settings: Settings, scratch: Path) -> None:
+        self._out, self._jobs, self._settings, self._scratch = out, jobs, settings, scratch
+        self._next: float | None = None  # when to write again
+
+    def write(self, rows: Mapping[str, Row]) -> None:
+        """With the meshes that are finished."""
+        jobs = [job for job in self._jobs if job.name in rows]
+        known = [rows[job.name] for job in jobs]
+        write_tables(self._out, known, self._settings.method, self._scratch)
+        write_overview(self._out, jobs, known, self._scratch, len(self._jobs))
+
+    def write_now_and_then(self, rows: Mapping[str, Row]) -> None:
+        """Unless that was done a moment ago; the more there is to write, the longer the moment."""
+        start = time.monotonic()
+        if self._next is None:
+            self._next = start + SECONDS_BETWEEN
+        if start < self._next:
+            return
+        self.write(rows)
+        self._next = time.monotonic() + max(SECONDS_BETWEEN, 20 * (time.monotonic() - start))
 
 
 def work(job: Job) -> Row:
@@ -78,9 +105,11 @@ def work(job: Job) -> Row:
     children = get_worker().plugins[Children.name]
     assert isinstance(children, Children)
     fingerprint = job.fingerprint()  # of the file as it is before it is read
-    for path in (job.target, job.thumbnail):
+    for path in filter(None, (job.target, job.thumbnail, job.before)):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)  # of an earlier run of another method
+    if job.pattern is not None:
+        shutil.rmtree(job.pattern, ignore_errors=True)
     row = children.work(job)
     write_record(job, row, fingerprint)
     return row
@@ -162,6 +191,8 @@ def _job(item: Input, out: Path, scratch: Path, settings: Settings) -> Job:
         source=item.path,
         target=folder / "meshes" / f"{item.stem}.ply",
         thumbnail=folder / "thumbnails" / f"{item.stem}.png",
+        before=folder / "thumbnails_before" / f"{item.stem}.png",
+        pattern=folder / "patterns" / item.stem,
         record=folder / "records" / f"{item.stem}.json",
         scratch=scratch,
         settings=settings,

@@ -23,6 +23,7 @@ class Settings:
     parameters: Mapping[str, Any] = dataclasses.field(default_factory=dict)  # of the method's filter
     time_limit: float = 3600.0  # seconds a mesh
     memory_limit: float = 4096.0  # MB a mesh
+    patterns: Mapping[str, Any] | None = None  # options of `make_patterns`, which is to write each mesh's
 
     def __post_init__(self) -> None:
         if self.method not in METHODS:
@@ -32,6 +33,8 @@ class Settings:
         if not isinstance(self.parameters, Mapping):
             raise InvalidParameterError("parameters must be a table of names and values")
         object.__setattr__(self, "parameters", METHODS[self.method][0].checked(self.parameters))
+        if self.patterns is not None:
+            _require_patterns(self.patterns)
         for name in ("time_limit", "memory_limit"):
             value = getattr(self, name)
             number = isinstance(value, (int, float)) and not isinstance(value, bool)
@@ -48,6 +51,20 @@ class Settings:
                 hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(known)}."
                 raise InvalidParameterError(f"there is no key {name!r}; {hint}")
         return cls(**values)
+
+
+def _require_patterns(options: Any) -> None:
+    from meshlab_developable.patterns import PatternOptions
+
+    if not isinstance(options, Mapping) or "unit" not in options:
+        raise InvalidParameterError(
+            "patterns must be a table with the unit of the meshes, such as unit = 'cm'"
+        )
+    known = [field.name for field in dataclasses.fields(PatternOptions)]
+    unknown = sorted(set(options) - set(known))
+    if unknown:
+        raise InvalidParameterError(f"patterns has {', '.join(unknown)}; there are {', '.join(known)}")
+    PatternOptions(**options)
 
 
 def read_settings(path: Path) -> Settings:

@@ -12,8 +12,17 @@ from typing import Any
 import click
 
 from meshlab_developable.command_line import shared
+from meshlab_developable.errors import InvalidParameterError
+from meshlab_developable.names import printable
 
 STATES = ["not_converged", "bad_input", "crashed", "timed_out"]
+
+
+def _unit(text: str) -> str | float:
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 @click.command(name="batch")
@@ -34,6 +43,10 @@ STATES = ["not_converged", "bad_input", "crashed", "timed_out"]
 @click.option(
     "--again", multiple=True, type=click.Choice(STATES), help="Work again on meshes that ended so before."
 )
+@click.option(
+    "--patterns", "with_patterns", is_flag=True, help="Write each mesh's pattern too; needs --unit."
+)
+@click.option("--unit", help="What a unit of the meshes is: mm, cm, dm, m, in, ft, or how many mm.")
 @shared.json_option
 @shared.quiet_option
 def command(
@@ -43,6 +56,8 @@ def command(
     scheduler: str | None,
     workers: int | None,
     again: tuple[str, ...],
+    with_patterns: bool,
+    unit: str | None,
     as_json: bool,
     quiet: bool,
     **changes: Any,
@@ -64,11 +79,13 @@ def command(
     \b
     Examples:
       developable batch panels --out results
+      developable batch panels --out results --patterns --unit cm
       developable batch list.txt --out results --parameters settings.toml --time-limit 60
       developable batch panels --out results --scheduler tcp://10.0.0.5:8786
       developable batch panels --out results --again timed_out --time-limit 7200
     """
     from meshlab_developable.batch.inputs import find_inputs
+    from meshlab_developable.batch.overview import hints
     from meshlab_developable.batch.records import Row, State
     from meshlab_developable.batch.run import run
     from meshlab_developable.batch.settings import Settings, read_settings
@@ -76,8 +93,17 @@ def command(
     with shared.errors_in_words(as_json):
         settings = read_settings(parameters) if parameters else Settings()
         settings = dataclasses.replace(settings, **{k: v for k, v in changes.items() if v is not None})
+        if with_patterns:
+            options = dict(settings.patterns or {})
+            options |= {} if unit is None else {"unit": _unit(unit)}
+            if "unit" not in options:
+                raise InvalidParameterError(
+                    "meshes do not say their unit: give it with --unit, such as --unit cm"
+                )
+            settings = dataclasses.replace(settings, patterns=options)
         inputs = find_inputs(source, out)
-        hidden = quiet or as_json or not sys.stderr.isatty()
+        shown = not quiet and not as_json
+        hidden = not shown or not sys.stderr.isatty()
         counts: collections.Counter[State] = collections.Counter()
         with click.progressbar(
             length=len(inputs), label=f"{len(inputs)} meshes", file=sys.stderr, hidden=hidden, show_pos=True
@@ -86,6 +112,9 @@ def command(
             def finished(row: Row) -> None:
                 counts[row.state] += 1
                 bar.update(1)
+                if shown and hidden:
+                    said = f"{sum(counts.values())}/{len(inputs)} {row.input}: {row.state}: {row.message}"
+                    click.echo(printable(said), err=True)
 
             run(
                 inputs,
@@ -102,4 +131,6 @@ def command(
     else:
         said = ", ".join(f"{count} {state}" for state, count in states.items() if count)
         click.echo(f"{len(inputs)} meshes: {said}. See {out / 'overview.html'} and {out / 'results.csv'}")
+        for hint in hints(counts):
+            click.echo(f"  {hint}")
     sys.exit(shared.Exit.DONE if counts[State.DONE] == len(inputs) else shared.Exit.SOME_NOT_DONE)

@@ -26,12 +26,16 @@ def optimization_command(applied: Filter, explanation: str) -> click.Command:
             report = develop_file(mesh, output, applied.name, verbose=shown, **shared.given(options))
         values = dataclasses.asdict(report) | {"status": report.status.name.lower()}
         said = values.pop("reason")
+        warnings = values.pop("warnings")
         panels = values.pop("panels")
         if as_json:
             for panel in panels:
                 panel["status"] = panel["status"].name.lower()
             values["panels"] = panels
-        shared.print_result(as_json, f"{output}: {said}", values, input=mesh, output=output, message=said)
+        words = {"input": mesh, "output": output, "message": said, "warnings": warnings}
+        shared.print_result(as_json, f"{output}: {said}", values, **words)
+        for warning in () if as_json else warnings:
+            click.echo(f"warning: {warning}", err=True)
         sys.exit(shared.Exit.DONE if report.developable else shared.Exit.NOT_CONVERGED)
 
     run.__doc__ = explanation

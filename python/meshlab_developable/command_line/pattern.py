@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from meshlab_developable import mesh_sets
 from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import FLATTEN
-from meshlab_developable.patterns.options import FORMATS, PAPERS, TURNS, UNITS, Size
+from meshlab_developable.patterns.options import COPIES, FORMATS, OUTLINES, PAPERS, TURNS, UNITS, Size
 
 
 def _numbers(text: str, separator: str, count: int) -> tuple[float, ...] | None:
@@ -53,6 +54,19 @@ def _grain(
     return found[0], found[1], found[2]
 
 
+def _piece_allowances(texts: Sequence[str]) -> dict[str, dict[str, float]]:
+    """Widths by piece and class of edge. Raises InvalidParameterError for a text of another form."""
+    widths: dict[str, dict[str, float]] = {}
+    for text in texts:
+        name, colon, rest = text.rpartition(":")
+        edge, sign, number = rest.partition("=")
+        value = _numbers(number, "x", 1)
+        if not (colon and sign and value):
+            raise InvalidParameterError(f"{text!r} is not like 'Piece 1:hem=30'")
+        widths.setdefault(name.strip(), {})[edge.strip()] = value[0]
+    return widths
+
+
 def _question_of_unit(mesh: Path) -> str:
     """What to say where the unit is missing: how large the model would be in each of the common ones."""
     box = mesh_sets.open_mesh(mesh).current_mesh().bounding_box()
@@ -74,16 +88,42 @@ def _question_of_unit(mesh: Path) -> str:
     help=f"What a unit of the mesh is: {', '.join(UNITS)}, or how many mm.  [required]",
 )
 @click.option("--seam-allowance", type=float, help="Width outside the sew line, mm.  [default: 10]")
+@click.option(
+    "--hem-allowance",
+    type=float,
+    help="Width outside edges that are in no seam, mm; hems fold back to fit.  [default: as seams]",
+)
+@click.option(
+    "--piece-allowance",
+    "piece_allowances",
+    multiple=True,
+    help="Of one piece, like 'Piece 1:hem=30' (mm) or 'Piece 1:seam=0'; may be repeated.",
+)
+@click.option(
+    "--copies",
+    type=click.Choice(COPIES),
+    help="Draw all pieces, or those that are alike or mirrored once, with their number.  [default: all]",
+)
+@click.option(
+    "--fold/--no-fold",
+    default=None,
+    help="Draw half of each symmetric piece, to be cut on the fold.  [default: off]",
+)
 @click.option("--notch-spacing", type=float, help="Distance of notches, mm; 0: none.  [default: 100]")
 @click.option(
     "--grain",
     callback=_grain,
-    help="What runs upright: x, y, z or a direction like 0,0.5,1.  [default: the longest seam]",
+    help="What runs upright: x, y, z or a direction like 0,0.5,1.  [default: the longer of y and z]",
 )
 @click.option(
     "--sheet",
     callback=_sheet,
     help=f"Its size, like 1400x2000 (mm), or {', '.join(PAPERS)}.  [default: as large as needed]",
+)
+@click.option(
+    "--layout",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Where pieces lie on sheets: the .json of an earlier pattern, edited.  [default: packed]",
 )
 @click.option("--gap", type=float, help="Distance of the pieces, mm.  [default: 5]")
 @click.option(
@@ -101,6 +141,16 @@ def _question_of_unit(mesh: Path) -> str:
 )
 @click.option(
     "--piece-name", "piece_names", multiple=True, help="Of the pieces in their order; repeat for each."
+)
+@click.option(
+    "--outline",
+    type=click.Choice(OUTLINES),
+    help="Smooth lines between corners, or the mesh's own.  [default: fair]",
+)
+@click.option(
+    "--outline-tolerance",
+    type=float,
+    help="How far smooth lines may be from the mesh's vertices, mm.  [default: 0.3]",
 )
 @click.option(
     "--max-strain",
@@ -129,6 +179,8 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
         parameters = {key: value for key, value in shared.given(options).items() if value != ()}
         if parameters.get("page") == "none":
             parameters["page"] = None
+        if "piece_allowances" in parameters:
+            parameters["piece_allowances"] = _piece_allowances(parameters["piece_allowances"])
         if not output.parent.exists():
             raise InvalidParameterError(f"there is no folder {output.parent} to make {output.name} in")
         if "unit" not in parameters:

@@ -4,12 +4,21 @@
 from __future__ import annotations
 
 import importlib.util
+import shlex
+import sys
 from pathlib import Path
 
 import click
 
 from meshlab_developable.command_line import shared
 from meshlab_developable.errors import DevelopableError
+
+
+def _installation() -> str:
+    """How the extra is installed: from the clone that this runs from, or from the registry."""
+    folder = Path(__file__).resolve().parents[2]
+    source = f"{folder}[render]" if (folder / "pyproject.toml").is_file() else "meshlab-developable[render]"
+    return f"{shlex.quote(sys.executable)} -m pip install {shlex.quote(source)}"
 
 
 @click.command(name="report")
@@ -35,9 +44,7 @@ def command(meshes: tuple[Path, ...], out: Path, unit: str) -> None:
     with shared.errors_in_words():
         for name in ("matplotlib", "pyvista"):
             if importlib.util.find_spec(name) is None:
-                raise DevelopableError(
-                    f"{name} is missing; install it: pip install 'meshlab-developable[render]'"
-                )
+                raise DevelopableError(f"{name} is missing; install it: {_installation()}")
         import pymeshlab
 
         from meshlab_developable.demo.__main__ import METHODS, run

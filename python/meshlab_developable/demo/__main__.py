@@ -47,7 +47,7 @@ METHODS = (
 
 
 def demo_inputs() -> list[Input]:
-    """An open scan that comes with pymeshlab and, in a source checkout, our own dented shell."""
+    """A scan that comes with pymeshlab and, in a source checkout, our own dented shell and a garment."""
     samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
     inputs = [
         Input(
@@ -60,6 +60,9 @@ def demo_inputs() -> list[Input]:
     if shell.exists():
         what = "A bent sheet, dented by a smooth bump, in the manner of the paper's Fig. 1."
         inputs.insert(0, Input(shell, what, "cm", View((0.9, -1.6, 1.3))))
+    pants = shell.with_name("short_pants.obj")
+    if pants.exists():
+        inputs.append(Input(pants, "Short pants of four panels, to be cut and sewn.", "cm"))
     return inputs
 
 
@@ -88,7 +91,7 @@ def main() -> int:
     """The command line. Returns 0, or 2 when a mesh cannot be worked on."""
     parser = argparse.ArgumentParser(prog="python -m meshlab_developable.demo", description=__doc__)
     parser.add_argument(
-        "meshes", nargs="*", type=Path, help="meshes of your own instead of the two of the demo"
+        "meshes", nargs="*", type=Path, help="meshes of your own instead of those of the demo"
     )
     parser.add_argument(
         "--out", type=Path, default=Path("out/demo"), help="folder for the results (%(default)s)"

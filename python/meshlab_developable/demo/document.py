@@ -7,10 +7,12 @@ import base64
 import importlib.resources
 import math
 import mimetypes
+import xml.etree.ElementTree as ElementTree
 from collections.abc import Sequence
 from pathlib import Path
 
 import jinja2
+import markupsafe
 
 from meshlab_developable.demo.study import Outcome, Pattern, Study
 from meshlab_developable.demo.view import view
@@ -119,14 +121,26 @@ def flatness(pattern: Pattern) -> str:
     )
 
 
+def cutting_sheet(pattern: Pattern) -> markupsafe.Markup | None:
+    """The first sheet to cut by, drawn in the page; None where the pieces can't be cut."""
+    sheets = sorted(file for file in pattern.to_cut if file.suffix == ".svg")
+    if not sheets:
+        return None
+    ElementTree.register_namespace("", "http://www.w3.org/2000/svg")
+    root = ElementTree.parse(sheets[0]).getroot()
+    for name in ("width", "height"):  # true millimetres are in the file; here it fits the page
+        root.attrib.pop(name)
+    return markupsafe.Markup(ElementTree.tostring(root, encoding="unicode"))
+
+
 def write_html(file: Path, studies: Sequence[Study], histograms: Sequence[Path]) -> None:
-    """One page with everything in it; it needs no other file and no network."""
+    """One page that needs no network, and no other file but to follow its links to the results."""
     template, viewer = (
         importlib.resources.files(__package__).joinpath(name).read_text("utf-8")
         for name in ("report.html.j2", "view.js")
     )
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
-    for function in (comparison, cost, flatness, panels, size, verdict, embedded, view):
+    for function in (comparison, cost, cutting_sheet, flatness, panels, size, verdict, embedded, view):
         environment.globals[function.__name__] = function
     chapters = list(zip(studies, histograms, strict=True))
     page = environment.from_string(template).render(chapters=chapters, viewer=viewer)

@@ -19,20 +19,26 @@ class Layer(enum.IntEnum):
     TURN_POINTS = 2
     CURVE_POINTS = 3
     NOTCH = 4
+    MIRROR = 6  # where cloth is folded
     GRAIN = 7
     INTERNAL = 8
     CUTOUT = 11
     SEW = 14
     TEXT = 15
+    BOUNDARY_CHECK = 84  # and the next: the true curves, to validate what programs make of the points
+    INTERNAL_CHECK = 85
+    CUTOUT_CHECK = 86
+    SEW_CHECK = 87
 
 
 @dataclasses.dataclass(frozen=True)
 class Path:
-    """A polyline, or a ring."""
+    """A polyline, or a ring; where its points are on smooth curves, those too."""
 
     layer: Layer
     points: Array  # k x 2; a ring does not repeat its first point
     closed: bool = True
+    curves: Sequence[Array] = ()  # Bézier curves, 4 x 2 each, one from where the other ends
 
 
 @dataclasses.dataclass(frozen=True)
@@ -65,6 +71,19 @@ class Text:
 
 
 @dataclasses.dataclass(frozen=True)
+class Quantity:
+    """How many of a piece are cut."""
+
+    like: int = 1
+    mirrored: int = 0
+    on_fold: bool = False
+
+    def __str__(self) -> str:
+        mirrored = f" + {self.mirrored} mirrored" if self.mirrored else ""
+        return f"cut {self.like}{mirrored}{' on fold' if self.on_fold else ''}"
+
+
+@dataclasses.dataclass(frozen=True)
 class Motion:
     """A turn about the origin, then a shift."""
 
@@ -89,14 +108,21 @@ class Drawing:
     paths: Sequence[Path] = ()
     notches: Sequence[Notch] = ()
     texts: Sequence[Text] = ()
+    quantity: Quantity = Quantity()
 
     def moved(self, motion: Motion) -> Drawing:
         """Turned and shifted; its texts stay upright."""
         return Drawing(
             self.name,
-            [dataclasses.replace(path, points=motion(path.points)) for path in self.paths],
+            [
+                dataclasses.replace(
+                    path, points=motion(path.points), curves=[motion(curve) for curve in path.curves]
+                )
+                for path in self.paths
+            ],
             [Notch(motion(n.on_boundary), motion(n.on_seam), motion(n.end)) for n in self.notches],
             [dataclasses.replace(text, centre=motion(text.centre)) for text in self.texts],
+            self.quantity,
         )
 
 

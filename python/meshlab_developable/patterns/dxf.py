@@ -19,6 +19,12 @@ from ezdxf.enums import TextEntityAlignment
 from meshlab_developable.mesh_sets import Array
 from meshlab_developable.patterns.drawing import Drawing, Layer, Motion
 
+CHECKS = {
+    Layer.BOUNDARY: Layer.BOUNDARY_CHECK,
+    Layer.INTERNAL: Layer.INTERNAL_CHECK,
+    Layer.CUTOUT: Layer.CUTOUT_CHECK,
+    Layer.SEW: Layer.SEW_CHECK,
+}
 TURN = np.radians(20)  # a line that bends more at a point turns there, else it curves
 
 
@@ -70,16 +76,23 @@ def _fill(block: Any, drawing: Drawing) -> None:
     name = drawing.texts[0]
     _system_texts(
         block,
-        (f"Piece Name: {drawing.name}", "Size: 1", "Quantity: 1,0"),
+        (
+            f"Piece Name: {drawing.name}",
+            "Size: 1",
+            f"Quantity: {drawing.quantity.like},{drawing.quantity.mirrored}",
+        ),
         name.centre - (1.5 * name.height, name.height),
         name.height / 3,
     )
     for path in drawing.paths:
         layer = {"layer": str(path.layer.value)}
-        if path.layer == Layer.GRAIN:  # one line, without its arrowhead
+        if path.layer in (Layer.GRAIN, Layer.MIRROR):  # one line, without its arrowhead
             block.add_line(*path.points[:2].tolist(), dxfattribs=layer)
             continue
         block.add_polyline2d(path.points.tolist(), close=path.closed, dxfattribs=layer)
+        if path.curves and path.layer in CHECKS:
+            check = {"layer": str(CHECKS[path.layer].value)}
+            block.add_polyline2d(path.points.tolist(), close=path.closed, dxfattribs=check)
         for point, turns in zip(path.points, _turns(path.points, path.closed), strict=True):
             kind = Layer.TURN_POINTS if turns else Layer.CURVE_POINTS
             block.add_point(point.tolist(), dxfattribs={"layer": str(kind.value)})

@@ -10,10 +10,13 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import shapely
 
-from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Array
-from meshlab_developable.patterns.drawing import Drawing, Layer, Notch, Path, Text
-from meshlab_developable.patterns.pieces import MITRE_LIMIT, Piece, Pieces
+from meshlab_developable.patterns.allowances import MITRE_LIMIT
+from meshlab_developable.patterns.bezier import bezier_curves
+from meshlab_developable.patterns.drawing import Drawing, Layer, Notch, Path, Quantity, Text
+from meshlab_developable.patterns.folding import fold_lines, half_of
+from meshlab_developable.patterns.pieces import Piece, Pieces
+from meshlab_developable.patterns.symmetry import Fold
 from meshlab_developable.sewing import Seam
 
 LETTER_HEIGHT, NAME_HEIGHT = 5.0, 8.0  # mm, on pieces that are large enough
@@ -31,14 +34,14 @@ class MarkedSeam:
     notches: tuple[tuple[int, float], ...]  # number of the edge along the seam, and share of that edge
 
 
-def mark_seams(flat: FlatteningResult, pieces: Pieces, notch_spacing: float) -> tuple[MarkedSeam, ...]:
+def mark_seams(seams: Sequence[Seam], pieces: Pieces, notch_spacing: float) -> tuple[MarkedSeam, ...]:
     """Letters for seams, and notches where the same point of the model is on both sides.
 
     Notches are as far apart as the spacing (mm) or a little less, and nearer to one end of the seam, so that
     it fits only one way round. Where the sides differ in length, their mean counts.
     """
     marked = []
-    for index, seam in enumerate(flat.seams):
+    for index, seam in enumerate(seams):
         steps = [np.linalg.norm(np.diff(pieces.positions[side], axis=0), axis=1) for side in seam.sides]
         lengths = float(steps[0].sum()), float(steps[1].sum())
         mean = (steps[0] + steps[1]) / 2
@@ -73,37 +76,50 @@ def draw_piece(
     seams: Sequence[MarkedSeam],
     lines: Sequence[tuple[int, list[int]]],
     seam_allowance: float,
+    quantity: Quantity = Quantity(),  # noqa: B008
+    fold: Fold | None = None,
 ) -> Drawing:
-    """A piece with all its lines and marks, in its own frame."""
-    piece = pieces.pieces[number]
-    paths = [_ring(Layer.BOUNDARY, piece.cut.exterior)]
-    paths += [_ring(Layer.CUTOUT, ring) for ring in piece.cut.interiors]
-    paths += [_ring(Layer.SEW, ring) for ring in (piece.sewn.exterior, *piece.sewn.interiors)]
+    """A piece with all its lines and marks, in its own frame; with a fold, the half to the right of it."""
+    whole = pieces.pieces[number]
+    piece = whole if fold is None else half_of(whole, fold)
+    paths = [_ring(Layer.BOUNDARY, piece.cut.exterior, pieces.smooth)]
+    paths += [_ring(Layer.CUTOUT, ring, pieces.smooth) for ring in piece.cut.interiors]
+    if fold is None:
+        rings = (piece.sewn.exterior, *piece.sewn.interiors)
+        paths += [_ring(Layer.SEW, ring, pieces.smooth) for ring in rings]
+    else:
+        paths += fold_lines(whole, piece, fold)
     paths += [
         Path(Layer.INTERNAL, pieces.positions[line], False) for piece_, line in lines if piece_ == number
     ]
     room = shapely.maximum_inscribed_circle(piece.sewn, tolerance=_size(piece) / 200)
     centre, radius = np.array(room.coords[0]), room.length
     paths.append(_grain_line(piece, centre, radius))
-    texts = [_name(piece, centre, radius)]
+    name = _name(piece, centre, radius)
+    texts = [name, Text(str(quantity), name.centre - (0, 1.6 * name.height), 0.6 * name.height)]
     notches: list[Notch] = []
-    shapely.prepare(piece.sewn)
+    shapely.prepare(whole.sewn)
     height = min(LETTER_HEIGHT, 0.3 * radius)
     for marked in seams:
         for side in (0, 1):
             if marked.seam.pieces[side] != number:
                 continue
             along = pieces.positions[marked.seam.sides[side]]
-            texts.append(_letter(marked, piece, along, side, height))
+            letter = _letter(marked, whole, along, side, height)
             depth = min(NOTCH_DEPTH, 0.2 * radius, seam_allowance or np.inf)
-            notches += [
-                _notch(piece, along, edge, share, depth, seam_allowance) for edge, share in marked.notches
+            on_side = [
+                _notch(whole, along, edge, share, depth, seam_allowance) for edge, share in marked.notches
             ]
-    return Drawing(piece.name, paths, notches, texts)
+            texts += [letter] if fold is None or piece.cut.covers(shapely.Point(letter.centre)) else []
+            notches += [
+                n for n in on_side if fold is None or piece.cut.distance(shapely.Point(n.on_seam)) < 1e-6
+            ]
+    return Drawing(piece.name, paths, notches, texts, quantity)
 
 
-def _ring(layer: Layer, ring: shapely.LinearRing) -> Path:
-    return Path(layer, np.array(ring.coords)[:-1])
+def _ring(layer: Layer, ring: shapely.LinearRing, smooth: bool) -> Path:
+    points = np.array(ring.coords)[:-1]
+    return Path(layer, points, curves=bezier_curves(points) if smooth else ())
 
 
 def _size(piece: Piece) -> float:

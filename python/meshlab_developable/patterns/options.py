@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+import os
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy.typing as npt
 
@@ -25,6 +26,9 @@ PAPERS: dict[str, Size] = {
 }
 FORMATS = ("svg", "pdf", "dxf")
 TURNS = ("none", "half", "free")
+OUTLINES = ("fair", "exact")
+EDGES = ("seam", "hem")
+COPIES = ("all", "once")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -36,22 +40,42 @@ class PatternOptions:
 
     unit: str | float = "mm"  # of the mesh: a name of UNITS, or how many millimetres it is
     seam_allowance: float = 10.0  # width of the margin outside the sew line, mm
+    hem_allowance: float | None = None  # mm, along edges that are in no seam; None: the seam allowance
+    piece_allowances: Mapping[str, Mapping[str, float]] = dataclasses.field(
+        default_factory=dict
+    )  # "seam", "hem"
+    copies: str = "all"  # "once": of pieces that are alike, or mirror images, only the first is drawn
+    fold: bool = False  # of a piece that is its own mirror image, one half is drawn, to be cut on the fold
     notch_spacing: float = 100.0  # along seams, mm, at most; 0: no notches
-    grain: tuple[float, float, float] | None = None  # runs upright; None: the longest seam does
+    grain: tuple[float, float, float] | None = None  # runs upright; None: what is up on the model does
     sheet: str | Size | None = None  # what the pieces are cut from; None: one sheet, as large as needed
+    layout: str | os.PathLike[str] | None = None  # a file that says where pieces lie, as name.json does
     gap: float = 5.0  # between the pieces, mm
     turns: str = "half"  # how pieces may be turned on a sheet: "none", "half" or "free"
     page: str | None = "A4"  # for the PDF in tiles, a name of PAPERS; None: no such file
     formats: Sequence[str] = FORMATS
     piece_names: Sequence[str] | None = None
     internal_lines: Sequence[npt.ArrayLike] = ()  # k x 3 each: vertices of the model, along its edges
+    outline: str = "fair"  # smooth lines between corners; "exact": the mesh's own
+    outline_tolerance: float = 0.3  # mm, from the mesh's vertices to smooth lines
     max_strain: float = 5.0  # per cent, that an edge's length may change by; infinite: any
 
     def __post_init__(self) -> None:
         _require(self.millimetres > 0, "unit", self.unit, f"one of {_names(UNITS)}, or millimetres above 0")
-        for name in ("seam_allowance", "notch_spacing", "gap"):
+        _require(self.outline in OUTLINES, "outline", self.outline, f"one of {_names(OUTLINES)}")
+        for name in ("seam_allowance", "notch_spacing", "gap", "outline_tolerance"):
             value = getattr(self, name)
             _require(_finite(value) and value >= 0, name, value, "a finite length in mm, 0 or more")
+        for name, value in self._special_allowances():
+            _require(_finite(value) and value >= 0, name, value, "a finite length in mm, 0 or more")
+        for piece, widths in self.piece_allowances.items():
+            _require(
+                set(widths) <= set(EDGES),
+                f"piece_allowances of {piece}",
+                dict(widths),
+                f"for {_names(EDGES)}",
+            )
+        _require(self.copies in COPIES, "copies", self.copies, f"one of {_names(COPIES)}")
         _require(
             self.grain is None
             or (len(self.grain) == 3 and all(map(_finite, self.grain)) and any(self.grain)),
@@ -78,6 +102,19 @@ class PatternOptions:
             strain,
             "a number of per cent, 0 or more",
         )
+
+    def allowance(self, piece: str, edge: str) -> float:
+        """How wide the allowance is along edges of a class, on a piece, mm."""
+        given = self.piece_allowances.get(piece, {})
+        hem = self.seam_allowance if self.hem_allowance is None else self.hem_allowance
+        return float(given.get(edge, hem if edge == "hem" else self.seam_allowance))
+
+    def _special_allowances(self) -> Iterator[tuple[str, float]]:
+        if self.hem_allowance is not None:
+            yield "hem_allowance", self.hem_allowance
+        for piece, widths in self.piece_allowances.items():
+            for edge, width in widths.items():
+                yield f"piece_allowances of {piece}, {edge},", width
 
     @property
     def millimetres(self) -> float:

@@ -12,8 +12,7 @@ import shapely
 from reportlab.pdfgen.canvas import Canvas
 
 from meshlab_developable.errors import PatternError
-from meshlab_developable.mesh_sets import Array
-from meshlab_developable.patterns.drawing import Drawing, Layer, Motion, print_check
+from meshlab_developable.patterns.drawing import Drawing, Layer, Motion, Path, print_check
 from meshlab_developable.patterns.marks import letters
 from meshlab_developable.patterns.options import PAPERS, Size
 from meshlab_developable.patterns.style import CAPITALS, STROKES, TEXT_COLOUR
@@ -92,7 +91,7 @@ class Grid:
             shapely.Polygon(path.points)
             for drawing in sheet.drawings
             for path in drawing.paths
-            if path.layer in (Layer.BOUNDARY, Layer.TEXT)
+            if path.layer == Layer.BOUNDARY
         ]
         width, height = self.window
         found = []
@@ -123,6 +122,12 @@ def tile_grid(size: Size, paper: Size) -> Grid:
 def write_tiled_pdf(file: FilePath, title: str, sheets: Sequence[SheetDrawing], paper: str) -> None:
     """A cover with a square to check the print, then the sheets in tiles that overlap, without empty ones."""
     canvas = _canvas(file, title)
+    # The cover has the square whole, which the edges of tiles would cut.
+    square = print_check().name
+    sheets = [
+        dataclasses.replace(sheet, drawings=[drawing for drawing in sheet.drawings if drawing.name != square])
+        for sheet in sheets
+    ]
     grids = [tile_grid(sheet.size, PAPERS[paper]) for sheet in sheets]
     _cover(canvas, title, PAPERS[paper], sheets, grids)
     for sheet, grid in zip(sheets, grids, strict=True):
@@ -237,7 +242,7 @@ def _overview(
 def _draw(canvas: Canvas, drawing: Drawing) -> None:
     for path in drawing.paths:
         _set_stroke(canvas, path.layer)
-        _polyline(canvas, path.points, path.closed)
+        _line(canvas, path)
     _set_stroke(canvas, Layer.NOTCH)
     for notch in drawing.notches:
         canvas.line(*notch.on_boundary, *notch.end)
@@ -254,14 +259,19 @@ def _set_stroke(canvas: Canvas, layer: Layer) -> None:
     canvas.setDash(list(stroke.dashes))
 
 
-def _polyline(canvas: Canvas, points: Array, closed: bool) -> None:
-    path = canvas.beginPath()
-    path.moveTo(*points[0])
-    for point in points[1:]:
-        path.lineTo(*point)
-    if closed:
-        path.close()
-    canvas.drawPath(path)
+def _line(canvas: Canvas, path: Path) -> None:
+    drawn = canvas.beginPath()
+    if path.curves:
+        drawn.moveTo(*path.curves[0][0])
+        for curve in path.curves:
+            drawn.curveTo(*curve[1:].ravel())
+    else:
+        drawn.moveTo(*path.points[0])
+        for point in path.points[1:]:
+            drawn.lineTo(*point)
+    if path.closed:
+        drawn.close()
+    canvas.drawPath(drawn)
 
 
 def _write(canvas: Canvas, text: str, x: float, y: float, height: float, centred: bool = True) -> None:

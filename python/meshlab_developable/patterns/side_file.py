@@ -33,6 +33,7 @@ def write_side_file(
     content = {
         "title": title,
         "unit": "mm",
+        "sheets": [list(sheet.size) for sheet in sheets],
         "pieces": [
             _piece(piece, block, pieces.positions, sheets)
             for piece, block in zip(pieces.pieces, block_names(names), strict=True)
@@ -44,17 +45,18 @@ def write_side_file(
 
 
 def _piece(piece: Piece, block: str, positions: Array, sheets: Sequence[Sheet]) -> dict[str, Any]:
-    number, motion = next(
-        (number, sheet.motions[piece.name])
-        for number, sheet in enumerate(sheets)
-        if piece.name in sheet.motions
+    place = next(
+        (
+            {"sheet": number + 1, "turned_degrees": motion.angle, "shifted": list(motion.shift)}
+            for number, sheet in enumerate(sheets)
+            if (motion := sheet.motions.get(piece.name)) is not None
+        ),
+        {"sheet": None},  # drawn once with another
     )
     return {
         "name": piece.name,
         "dxf_block": block,
-        "sheet": number + 1,
-        "turned_degrees": motion.angle,
-        "shifted": list(motion.shift),
+        **place,
         "sew_lines": [_points(positions[ring]) for ring in piece.rings],
         "cut_lines": [
             _points(np.array(ring.coords)[:-1]) for ring in (piece.cut.exterior, *piece.cut.interiors)

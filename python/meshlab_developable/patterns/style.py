@@ -27,5 +27,6 @@ STROKES = {
     Layer.SEW: Stroke("#0072b2", 0.25, (3, 1.5)),
     Layer.INTERNAL: Stroke("#009e73", 0.25),
     Layer.GRAIN: Stroke("#333333", 0.25),
+    Layer.MIRROR: Stroke("#000000", 0.4, (8, 1.5, 1, 1.5)),
     Layer.TEXT: Stroke("#333333", 0.25),
 }

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path as FilePath
 
 from meshlab_developable.mesh_sets import Array
-from meshlab_developable.patterns.drawing import Drawing, Layer
+from meshlab_developable.patterns.drawing import Drawing, Layer, Path
 from meshlab_developable.patterns.options import Size
 from meshlab_developable.patterns.style import CAPITALS, STROKES, TEXT_COLOUR
 
@@ -37,7 +37,7 @@ def _add_drawing(root: ElementTree.Element, drawing: Drawing, height: float) -> 
     group = ElementTree.SubElement(root, "g", {"id": drawing.name.replace(" ", "_"), "fill": "none"})
     ElementTree.SubElement(group, "title").text = drawing.name
     for path in drawing.paths:
-        _add_path(group, path.layer, path.points, path.closed, height)
+        _add_path(group, path, height)
     for notch in drawing.notches:
         line = ElementTree.SubElement(group, "path", _stroke(Layer.NOTCH))
         start, end = (_point(point, height) for point in (notch.on_boundary, notch.end))
@@ -60,10 +60,16 @@ def _add_drawing(root: ElementTree.Element, drawing: Drawing, height: float) -> 
         element.text = text.content
 
 
-def _add_path(group: ElementTree.Element, layer: Layer, points: Array, closed: bool, height: float) -> None:
-    start, *others = (_point(point, height) for point in points)
-    path = ElementTree.SubElement(group, "path", _stroke(layer))
-    path.set("d", f"M {start} L {' '.join(others)}{' Z' if closed else ''}")
+def _add_path(group: ElementTree.Element, path: Path, height: float) -> None:
+    start, *others = (_point(point, height) for point in path.points)
+    element = ElementTree.SubElement(group, "path", _stroke(path.layer))
+    end = " Z" if path.closed else ""
+    if not path.curves:
+        element.set("d", f"M {start} L {' '.join(others)}{end}")
+        return
+    start = _point(path.curves[0][0], height)
+    steps = " ".join("C " + " ".join(_point(point, height) for point in curve[1:]) for curve in path.curves)
+    element.set("d", f"M {start} {steps}{end}")
 
 
 def _stroke(layer: Layer) -> dict[str, str]:

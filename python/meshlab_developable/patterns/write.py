@@ -15,17 +15,22 @@ import shapely
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.mesh_sets import Source
-from meshlab_developable.patterns.drawing import Drawing, Motion, print_check
+from meshlab_developable.patterns.drawing import Drawing, Motion, Quantity, print_check
 from meshlab_developable.patterns.dxf import write_dxf
 from meshlab_developable.patterns.internal_lines import trace_lines
+from meshlab_developable.patterns.layout import read_layout
 from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
 from meshlab_developable.patterns.options import PatternOptions
+from meshlab_developable.patterns.outlines import Outlines, exact_outlines, fair_outlines
+from meshlab_developable.patterns.overlaps import share_overlaps, wide_overlaps
 from meshlab_developable.patterns.packing import Sheet, pack
 from meshlab_developable.patterns.pdf import SheetDrawing, write_pdf, write_tiled_pdf
-from meshlab_developable.patterns.pieces import Pieces, make_pieces
+from meshlab_developable.patterns.pieces import Pieces, make_pieces, piece_names
 from meshlab_developable.patterns.side_file import write_side_file
+from meshlab_developable.patterns.splitting import split_labels, split_options
 from meshlab_developable.patterns.strain import require_little_strain, strain_notes
 from meshlab_developable.patterns.svg import write_svg
+from meshlab_developable.patterns.symmetry import Fold, find_copies, find_fold
 from meshlab_developable.writing import written_together
 
 OPTIONS = tuple(field.name for field in dataclasses.fields(PatternOptions))
@@ -57,9 +62,10 @@ def make_patterns(
     "cm", "dm", "m", "in", "ft", or how many millimetres it is), `seam_allowance`, `notch_spacing` and `gap`
     (mm), `grain` (a direction on the model that runs upright), `sheet` (mm x mm, or a paper's name), `turns`
     ("none", "half", "free"), `page` (of the PDF in tiles), `formats`, `piece_names`, `internal_lines` (to
-    be drawn, each k x 3, vertices of the mesh along its edges) and `max_strain` (per cent; a piece with an
-    edge whose length changes by more is refused). A mesh does not say its unit; without one it is taken for
-    millimetres.
+    be drawn, each k x 3, vertices of the mesh along its edges), `outline` ("fair": smooth lines between
+    corners, no farther than `outline_tolerance`, mm, from the mesh's vertices; "exact": the mesh's own) and
+    `max_strain` (per cent; a piece with an edge whose length changes by more is refused). A mesh does not
+    say its unit; without one it is taken for millimetres.
 
     Writes name.svg (one file a sheet), name.pdf (one page a sheet), name-A4.pdf (tiles for an office
     printer), name.dxf (ASTM D6673) and name.json (what is sewn to what). All of them or, when
@@ -68,7 +74,16 @@ def make_patterns(
     Raises PatternError, InvalidParameterError, and what `flatten` raises.
     """
     options = PatternOptions(**{key: parameters.pop(key) for key in OPTIONS if key in parameters})
-    return write_patterns(flatten(vertices, faces, **parameters), Path(folder), name, options)
+    flat = flatten(vertices, faces, **parameters)
+    wide = wide_overlaps(flat, options.millimetres)
+    if not wide or parameters.get("only_selected") is not None:
+        return write_patterns(flat, Path(folder), name, options)
+    labels = split_labels(flat, set(wide))
+    seams = {key: value for key, value in parameters.items() if key not in ("patches", "texture_coordinates")}
+    parts = flatten(vertices, faces, **seams | {"face_labels": labels})
+    options, notes = split_options(flat, parts, wide, options)
+    made = write_patterns(parts, Path(folder), name, options)
+    return dataclasses.replace(made, notes=(*notes, *made.notes))
 
 
 def write_patterns(
@@ -78,24 +93,40 @@ def write_patterns(
     options = options or PatternOptions()
     if not name or name != Path(name).name:
         raise InvalidParameterError(f"name is {name!r}, but must be that of a file, without folders")
-    pieces = make_pieces(flat, options)
+    names = piece_names(flat.report.pieces, options.piece_names)
+    outlines = _outlines(flat, options, names)
+    pieces = make_pieces(flat, outlines, options)
     require_little_strain(flat, [piece.name for piece in pieces.pieces], options.max_strain)
-    seams = mark_seams(flat, pieces, options.notch_spacing)
+    seams = mark_seams(outlines.seams, pieces, options.notch_spacing)
     lines = trace_lines(flat, options.internal_lines)
     drawings = [
-        draw_piece(number, pieces, seams, lines, options.seam_allowance)
-        for number in range(len(pieces.pieces))
+        draw_piece(number, pieces, seams, lines, options.seam_allowance, quantity, fold)
+        for number, quantity, fold in _to_draw(pieces, options)
     ]
-    sheets = _laid_out(pieces, options)
+    sheets, layout_notes = _laid_out(drawings, options)
     files = _write_all(folder, name, options, pieces, seams, drawings, sheets)
     return PatternFiles(
         files=files,
         piece_names=tuple(piece.name for piece in pieces.pieces),
         sheets=tuple(sheet.size for sheet in sheets),
         seams=seams,
-        notes=(*pieces.notes, *strain_notes(flat, options.millimetres), *_name_notes(pieces, options)),
+        notes=(
+            *pieces.notes,
+            *layout_notes,
+            *strain_notes(flat, options.millimetres),
+            *_name_notes(pieces, options),
+        ),
         flattening=flat,
     )
+
+
+def _outlines(flat: FlatteningResult, options: PatternOptions, names: Sequence[str]) -> Outlines:
+    unit = options.millimetres
+    if options.outline == "exact":
+        outlines = exact_outlines(flat, unit)
+    else:
+        outlines = fair_outlines(flat, unit, options.outline_tolerance, names)
+    return share_overlaps(flat, outlines, names, unit)
 
 
 def _name_notes(pieces: Pieces, options: PatternOptions) -> list[str]:
@@ -106,13 +137,32 @@ def _name_notes(pieces: Pieces, options: PatternOptions) -> list[str]:
     return [f"PDF has no letters for {', '.join(unknown)}; the names are in the other files."]
 
 
-def _laid_out(pieces: Pieces, options: PatternOptions) -> list[Sheet]:
-    """Sheets with the pieces and, where it fits, the square to check the print."""
-    shapes = {piece.name: shapely.Polygon(piece.cut.exterior) for piece in pieces.pieces}
+def _to_draw(pieces: Pieces, options: PatternOptions) -> list[tuple[int, Quantity, Fold | None]]:
+    """The numbers of the pieces that are drawn, how many of each are cut, and where they are folded."""
+    shapes = [piece.cut for piece in pieces.pieces]
+    copies = find_copies(shapes) if options.copies == "once" else [None] * len(shapes)
+    drawn = []
+    for number, shape in enumerate(shapes):
+        if copies[number] is not None:
+            continue
+        mirrored = [copy[1] for copy in copies if copy is not None and copy[0] == number]
+        fold = find_fold(shape) if options.fold else None
+        quantity = Quantity(1 + mirrored.count(False), mirrored.count(True), fold is not None)
+        if fold is not None:  # it is its own mirror image
+            quantity = Quantity(1 + len(mirrored), 0, True)
+        drawn.append((number, quantity, fold))
+    return drawn
+
+
+def _laid_out(drawings: Sequence[Drawing], options: PatternOptions) -> tuple[list[Sheet], list[str]]:
+    """Sheets with the pieces and, where it fits, the square to check the print; and notes."""
+    shapes = {drawing.name: shapely.Polygon(drawing.paths[0].points) for drawing in drawings}
+    if options.layout is not None:
+        return read_layout(Path(options.layout), shapes)
     square = print_check()
     if options.sheet_size is None or min(options.sheet_size) > 101 + 1.2 * options.gap:
         shapes[square.name] = shapely.Polygon(square.paths[0].points)
-    return pack(shapes, options.sheet_size, options.gap, options.turns, upright=[square.name])
+    return pack(shapes, options.sheet_size, options.gap, options.turns, upright=[square.name]), []
 
 
 def _sheet_drawings(name: str, drawings: Sequence[Drawing], sheets: Sequence[Sheet]) -> list[SheetDrawing]:

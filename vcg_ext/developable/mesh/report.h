@@ -66,7 +66,8 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	{Reason::NothingMoves, "NOTHING_MOVES", "stalled: within the tolerance nothing can move any more"},
 	{Reason::NeedsCut, "NEEDS_CUT",
 	 "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, "
-	 "first of all at ({worst_x}, {worst_y}, {worst_z})"},
+	 "first of all at ({worst_x}, {worst_y}, {worst_z}); next, cut it: 'developable cut' on the command line, "
+	 "the filter Cut into Developable Panels in MeshLab"},
 	{Reason::Unsolvable, "UNSOLVABLE",
 	 "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept"},
 	{Reason::TooFar, "TOO_FAR",

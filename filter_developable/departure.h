@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// departure.h: how far a result is from what it began as, in numbers that a user should be warned of.
+#pragma once
+
+#include "results.h"
+
+#include "developable/mesh/mesh.h"
+
+namespace developable::plugin {
+
+/// What the log says when a result is above a limit.
+struct Warning {
+	const char* key; ///< of what is measured
+	double limit;
+	const char* text; ///< {names} stand for results with these keys
+};
+
+/// Of an optimisation.
+inline constexpr Warning departureWarnings[] = {
+	{"max_displacement_per_cent", 5,
+	 "far from its input: a vertex moved by {max_displacement} units of the mesh, {max_displacement_per_cent} % "
+	 "of the diagonal"},
+	{"folded_faces", 0, "{folded_faces} faces are folded over their neighbours"},
+	{"shrunken_patches", 0, "{shrunken_patches} of {patches} patches lost more than half of their area"},
+};
+
+/// The sentences of what is above its limit: the largest displacement in per cent of the diagonal of the
+/// original's box; faces at edges whose normals made less than 90° and make more than 120°; patches whose
+/// area is less than half of what it was. \param results  with the other numbers that the sentences take
+std::vector<std::string> departuresInWords(Results results, const PatchAssembly& assembly,
+										   const Positions& positions);
+
+} // namespace developable::plugin
