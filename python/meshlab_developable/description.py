@@ -76,6 +76,45 @@ GLOBAL = Filter(
             "Constrained Newton only: how much weight bending has against distance; larger values give fewer wrinkles.",
         ),
         Parameter(
+            "material",
+            Choice(
+                (
+                    "Custom",
+                    "Sheet steel",
+                    "Sheet aluminium",
+                    "Plywood",
+                    "Leather",
+                    "Woven cloth",
+                    "Knit",
+                    "Paper",
+                )
+            ),
+            "Custom",
+            "",
+            "Constrained Newton only: What the panels are made of, which says how far they may be stretched and compressed.",
+        ),
+        Parameter(
+            "allowed_stretch",
+            Number(minimum=-1, maximum=1000),
+            -1.0,
+            "%",
+            "Constrained Newton only: By how much the material may be longer on the shape than in the flat pattern; -1 means what the material bears.",
+        ),
+        Parameter(
+            "allowed_compression",
+            Number(minimum=-1, maximum=100),
+            -1.0,
+            "%",
+            "Constrained Newton only: By how much the material may be shorter on the shape than in the flat pattern; -1 means what the material bears.",
+        ),
+        Parameter(
+            "grain",
+            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            "Longest seam",
+            "",
+            "Constrained Newton only: Which way the grain, the warp of a cloth, runs in every panel.",
+        ),
+        Parameter(
             "map",
             Choice(
                 (
@@ -293,6 +332,45 @@ FLATTEN = Filter(
             "Work on the patches that have a selected face; the others hold still.",
         ),
         Parameter(
+            "material",
+            Choice(
+                (
+                    "Custom",
+                    "Sheet steel",
+                    "Sheet aluminium",
+                    "Plywood",
+                    "Leather",
+                    "Woven cloth",
+                    "Knit",
+                    "Paper",
+                )
+            ),
+            "Custom",
+            "",
+            "What the panels are made of, which says how far they may be stretched and compressed.",
+        ),
+        Parameter(
+            "allowed_stretch",
+            Number(minimum=-1, maximum=1000),
+            -1.0,
+            "%",
+            "By how much the material may be longer on the shape than in the flat pattern; -1 means what the material bears.",
+        ),
+        Parameter(
+            "allowed_compression",
+            Number(minimum=-1, maximum=100),
+            -1.0,
+            "%",
+            "By how much the material may be shorter on the shape than in the flat pattern; -1 means what the material bears.",
+        ),
+        Parameter(
+            "grain",
+            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            "Longest seam",
+            "",
+            "Which way the grain, the warp of a cloth, runs in every panel.",
+        ),
+        Parameter(
             "gap",
             Length(automatic=True),
             -1.0,
@@ -301,7 +379,7 @@ FLATTEN = Filter(
         ),
         Parameter(
             "map",
-            Choice(("Edge strain", "Elastic energy")),
+            Choice(("Edge strain", "Elastic energy", "Stretch", "Compression")),
             "Edge strain",
             "",
             "What is written to the vertex quality of the model and of the patterns.",
@@ -367,6 +445,7 @@ class Reason(enum.IntEnum):
     NOTHING_MOVES = 2
     NEEDS_CUT = 3
     UNSOLVABLE = 4
+    BEYOND_BOUNDS = 5
 
     @property
     def text(self) -> str:
@@ -380,4 +459,5 @@ _REASON_TEXTS = {
     Reason.NOTHING_MOVES: "stalled: within the tolerance nothing can move any more",
     Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
     Reason.UNSOLVABLE: "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept",
+    Reason.BEYOND_BOUNDS: "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
 }

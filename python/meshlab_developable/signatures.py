@@ -89,6 +89,12 @@ def make_developable(
     max_iterations: int = 200,
     relative_change: float = 0.0001,
     smoothness: float = 3e-06,
+    material: Literal[
+        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
+    ] = "Custom",
+    allowed_stretch: float = -1.0,
+    allowed_compression: float = -1.0,
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
     map: Literal[
         "Gaussian map",
         "Angle defect",
@@ -140,6 +146,14 @@ def make_developable(
             less than this share of its first value.
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
             against distance; larger values give fewer wrinkles.
+        material (only for 'global'): Constrained Newton only: What the panels are made of, which says how
+            far they may be stretched and compressed.
+        allowed_stretch (%; ≤ 1000; only for 'global'): Constrained Newton only: By how much the material
+            may be longer on the shape than in the flat pattern; -1 means what the material bears.
+        allowed_compression (%; ≤ 100; only for 'global'): Constrained Newton only: By how much the material
+            may be shorter on the shape than in the flat pattern; -1 means what the material bears.
+        grain (only for 'global'): Constrained Newton only: Which way the grain, the warp of a cloth, runs
+            in every panel.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
         max_displacement (length; only for 'local'): How far a vertex may move along its original normal; -1
@@ -169,8 +183,14 @@ def flatten(
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
     weld_distance: float = 0.0,
+    material: Literal[
+        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
+    ] = "Custom",
+    allowed_stretch: float = -1.0,
+    allowed_compression: float = -1.0,
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
     gap: float = -1.0,
-    map: Literal["Edge strain", "Elastic energy"] = "Edge strain",
+    map: Literal["Edge strain", "Elastic energy", "Stretch", "Compression"] = "Edge strain",
     write_texture_coordinates: bool = False,
     colorize: bool = True,
 ) -> FlatteningResult:
@@ -193,6 +213,12 @@ def flatten(
             colour, texture island or quality.
         weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
             those with equal coordinates.
+        material: What the panels are made of, which says how far they may be stretched and compressed.
+        allowed_stretch (%; ≤ 1000): By how much the material may be longer on the shape than in the flat
+            pattern; -1 means what the material bears.
+        allowed_compression (%; ≤ 100): By how much the material may be shorter on the shape than in the
+            flat pattern; -1 means what the material bears.
+        grain: Which way the grain, the warp of a cloth, runs in every panel.
         gap (length): How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box.
         map: What is written to the vertex quality of the model and of the patterns.
         write_texture_coordinates: Write the patterns to the model too, as texture coordinates of its face

@@ -16,7 +16,9 @@ enum class Map {
 	Distance,
 	Displacement,
 	ElasticEnergy, ///< of flattening, as all behind it
-	EdgeStrain
+	EdgeStrain,
+	Stretch,
+	Compression
 };
 
 struct MapProperties {
@@ -40,6 +42,8 @@ inline constexpr MapProperties mapProperties[] = {
 	{Map::Displacement, "Displacement", "displacement", "length", 1, false, false},
 	{Map::ElasticEnergy, "Elastic energy", "elastic_energy", "length²", 2, false, true},
 	{Map::EdgeStrain, "Edge strain", "edge_strain", "1", 0, false, false},
+	{Map::Stretch, "Stretch", "stretch", "1", 0, false, false},
+	{Map::Compression, "Compression", "compression", "1", 0, false, false},
 };
 
 inline const MapProperties& propertiesOf(Map map) {

@@ -45,7 +45,8 @@ enum class Reason {
 	NotLowered = 1,   ///< the local method stalled: G has not fallen for long
 	NothingMoves = 2, ///< the local method stalled: no vertex can move
 	NeedsCut = 3,     ///< so many patches need a cut, and where
-	Unsolvable = 4    ///< the constrained Newton method stalled at a system without a solution in double
+	Unsolvable = 4,   ///< the constrained Newton method stalled at a system without a solution in double
+	BeyondBounds = 5  ///< so many patches have no pattern within their material's bounds, and where
 };
 
 struct ReasonProperties {
@@ -66,6 +67,9 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	 "first of all at ({worst_x}, {worst_y}, {worst_z})"},
 	{Reason::Unsolvable, "UNSOLVABLE",
 	 "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept"},
+	{Reason::BeyondBounds, "BEYOND_BOUNDS",
+	 "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} "
+	 "patches, first of all at ({worst_x}, {worst_y}, {worst_z})"},
 };
 
 /// What every optimisation reports. Shapes are compared by the caller, which has both of them.
