@@ -78,4 +78,25 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 	}
 }
 
+void judgeBending(FilterCall& call, const PatchAssembly& assembly, const Positions& positions) {
+	const double thickness = call.values.number("thickness");
+	const Material& material = chosenMaterial(call.values);
+	if (thickness == 0)
+		return;
+	if (!(material.elasticStrain > 0)) {
+		call.log(material.name + ": bending is not judged, as no strain is known that its surface bears");
+		return;
+	}
+	const Eigen::VectorXd radii = bendingRadii(assembly, positions);
+	const double limit = leastBendingRadius(thickness, material.elasticStrain);
+	int tightest = 0;
+	const double least = radii.minCoeff(&tightest);
+	const auto at = positions.col(tightest);
+	call.log(material.name + ", " + formatted(thickness, 3) + " thick, bears radii down to " +
+			 formatted(limit, 3) + ": " +
+			 formatted(perCent * shareBelowRadius(assembly, positions, radii, limit), 3) +
+			 " % of the area is bent more tightly; the smallest radius is " + formatted(least, 3) + ", at (" +
+			 formatted(at[0], 4) + ", " + formatted(at[1], 4) + ", " + formatted(at[2], 4) + ")");
+}
+
 } // namespace developable::plugin

@@ -19,4 +19,8 @@ void addStrains(Results& results, const FlattenReport& report);
 void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positions& positions,
 				   Results& results);
 
+/// Logs how much of the area a sheet of the chosen thickness would be bent more tightly on than it bears;
+/// nothing where the thickness is 0.
+void judgeBending(FilterCall& call, const PatchAssembly& assembly, const Positions& positions);
+
 } // namespace developable::plugin

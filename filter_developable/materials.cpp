@@ -84,6 +84,12 @@ std::vector<Parameter> materialParameters() {
 	};
 }
 
+Parameter thicknessParameter() {
+	return lengthParameter("thickness", 0, "Thickness",
+						   "How thick the material is, in the mesh's unit; 0 means that bending is not judged. "
+						   "Else the log says how much of the area is bent more tightly than it bears.");
+}
+
 const Material& chosenMaterial(const ParameterValues& values) {
 	return materials()[std::size_t(values.integer("material"))];
 }

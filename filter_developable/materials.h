@@ -22,6 +22,9 @@ const char* materialsText();
 /// In the order of the `material` enumeration.
 const std::vector<Material>& materials();
 
+/// `thickness`.
+Parameter thicknessParameter();
+
 /// `material`, `allowed_stretch`, `allowed_compression` and `grain`.
 std::vector<Parameter> materialParameters();
 

@@ -68,6 +68,7 @@ Results run(FilterCall& call) {
 	};
 	Optimized optimized = optimizeLayer(call, method);
 	judgeMaterial(call, optimized.assembly, optimized.positions, optimized.results);
+	judgeBending(call, optimized.assembly, optimized.positions);
 	return optimized.results;
 }
 
@@ -118,6 +119,7 @@ std::vector<Parameter> parameters() {
 	};
 	for (const Parameter& parameter : materialParameters())
 		all.push_back(onlyFor(Solver::ConstrainedNewton, parameter));
+	all.push_back(onlyFor(Solver::ConstrainedNewton, thicknessParameter()));
 	all.push_back(mapParameter());
 	all.push_back(colorizeParameter());
 	return all;

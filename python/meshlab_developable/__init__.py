@@ -18,7 +18,7 @@ from meshlab_developable.errors import (
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.methods import Developed, Measured
 from meshlab_developable.plugin import load
-from meshlab_developable.reports import LocalReport, Measures, OptimizationReport, PatternReport, Status
+from meshlab_developable.reports import GlobalReport, LocalReport, Measures, OptimizationReport, PatternReport, Status
 from meshlab_developable.sewing import Seam
 from meshlab_developable.signatures import flatten, make_developable, measure
 
@@ -29,6 +29,7 @@ __all__ = [
     "Developed",
     "FilterError",
     "FlatteningResult",
+    "GlobalReport",
     "InvalidMeshError",
     "InvalidParameterError",
     "LocalReport",

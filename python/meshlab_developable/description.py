@@ -7,7 +7,17 @@ from __future__ import annotations
 
 import enum
 
-from meshlab_developable.parameters import Boolean, Choice, Filter, Layer, Length, Number, Parameter, Whole
+from meshlab_developable.parameters import (
+    Boolean,
+    Choice,
+    Filter,
+    Layer,
+    Length,
+    Material,
+    Number,
+    Parameter,
+    Whole,
+)
 
 GLOBAL = Filter(
     "global",
@@ -77,7 +87,7 @@ GLOBAL = Filter(
         ),
         Parameter(
             "material",
-            Choice(
+            Material(
                 (
                     "Custom",
                     "Sheet steel",
@@ -113,6 +123,13 @@ GLOBAL = Filter(
             "Longest seam",
             "",
             "Constrained Newton only: Which way the grain, the warp of a cloth, runs in every panel.",
+        ),
+        Parameter(
+            "thickness",
+            Length(),
+            0.0,
+            "length",
+            "Constrained Newton only: How thick the material is, in the mesh's unit; 0 means that bending is not judged.",
         ),
         Parameter(
             "map",
@@ -282,6 +299,7 @@ MAPS = Filter(
                     "Distance",
                     "Displacement",
                     "Elastic energy",
+                    "Bending radius",
                 )
             ),
             "Gaussian map",
@@ -333,7 +351,7 @@ FLATTEN = Filter(
         ),
         Parameter(
             "material",
-            Choice(
+            Material(
                 (
                     "Custom",
                     "Sheet steel",
@@ -446,6 +464,7 @@ class Reason(enum.IntEnum):
     NEEDS_CUT = 3
     UNSOLVABLE = 4
     BEYOND_BOUNDS = 5
+    WITHIN_BOUNDS = 6
 
     @property
     def text(self) -> str:
@@ -460,4 +479,5 @@ _REASON_TEXTS = {
     Reason.NEEDS_CUT: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
     Reason.UNSOLVABLE: "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept",
     Reason.BEYOND_BOUNDS: "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
+    Reason.WITHIN_BOUNDS: "every panel has a pattern within the allowed strain",
 }

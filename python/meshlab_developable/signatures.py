@@ -38,6 +38,7 @@ def measure(
         "Distance",
         "Displacement",
         "Elastic energy",
+        "Bending radius",
     ] = "Gaussian map",
     colorize: bool = True,
 ) -> Measured:
@@ -89,12 +90,11 @@ def make_developable(
     max_iterations: int = 200,
     relative_change: float = 0.0001,
     smoothness: float = 3e-06,
-    material: Literal[
-        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
-    ] = "Custom",
+    material: str = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
+    thickness: float = 0.0,
     map: Literal[
         "Gaussian map",
         "Angle defect",
@@ -154,6 +154,8 @@ def make_developable(
             may be shorter on the shape than in the flat pattern; -1 means what the material bears.
         grain (only for 'global'): Constrained Newton only: Which way the grain, the warp of a cloth, runs
             in every panel.
+        thickness (length; only for 'global'): Constrained Newton only: How thick the material is, in the
+            mesh's unit; 0 means that bending is not judged.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
         max_displacement (length; only for 'local'): How far a vertex may move along its original normal; -1
@@ -183,9 +185,7 @@ def flatten(
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
     weld_distance: float = 0.0,
-    material: Literal[
-        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
-    ] = "Custom",
+    material: str = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",

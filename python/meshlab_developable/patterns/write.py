@@ -13,6 +13,7 @@ import numpy.typing as npt
 import shapely
 
 from meshlab_developable.errors import InvalidParameterError
+from meshlab_developable import materials
 from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.mesh_sets import Source
 from meshlab_developable.patterns.drawing import Drawing, Motion, print_check
@@ -55,7 +56,8 @@ def make_patterns(
 
     Vertices, faces and parameters are those of `flatten` and of `PatternOptions`: `unit` (of the mesh: "mm",
     "cm", "dm", "m", "in", "ft", or how many millimetres it is), `seam_allowance`, `notch_spacing` and `gap`
-    (mm), `grain` (a direction on the model that runs upright), `sheet` (mm x mm, or a paper's name), `turns`
+    (mm), `grain` (a direction on the model that runs upright, along which the warp of a directed `material`
+    lies), `sheet` (mm x mm, or a paper's name), `turns`
     ("none", "half", "free"), `page` (of the PDF in tiles), `formats`, `piece_names`, `internal_lines` (to
     be drawn, each k x 3, vertices of the mesh along its edges) and `max_strain` (per cent; a piece with an
     edge whose length changes by more is refused). A mesh does not say its unit; without one it is taken for
@@ -67,7 +69,11 @@ def make_patterns(
 
     Raises PatternError, InvalidParameterError, and what `flatten` raises.
     """
-    options = PatternOptions(**{key: parameters.pop(key) for key in OPTIONS if key in parameters})
+    given = {key: parameters.pop(key) for key in OPTIONS if key in parameters}
+    given.setdefault("max_strain", max(PatternOptions.max_strain, materials.greatest_bound(parameters)))
+    options = PatternOptions(**given)
+    if options.grain is not None:
+        parameters["grain"] = materials.grain_along(options.grain, parameters.get("material", "Custom"))
     return write_patterns(flatten(vertices, faces, **parameters), Path(folder), name, options)
 
 

@@ -152,8 +152,10 @@ BoundedStrainReport boundedStrain(const PatchAssembly& assembly, Positions& posi
 		return report;
 	}
 	report.beyondBounds = patterns.report.beyondBounds;
-	if (report.beyondBounds <= options.tolerance)
+	if (report.beyondBounds <= options.tolerance) {
+		report.reason = Reason::WithinBounds;
 		return report;
+	}
 	const Progress ofRun = partOf(onwards, 0.05, 1);
 	Run run(assembly, patterns, positions, options, ofRun);
 	report.status = statusOf(run.run(), assembly);
@@ -171,6 +173,8 @@ BoundedStrainReport boundedStrain(const PatchAssembly& assembly, Positions& posi
 			report.status = Status::Converged;
 	}
 	report.beyondBounds = violations.maxCoeff();
+	if (report.status == Status::Converged)
+		report.reason = Reason::WithinBounds;
 	if (report.status == Status::NeedsCut)
 		describeNeedOfCut(assembly, positions, violations, options.tolerance, report);
 	return report;

@@ -2,10 +2,10 @@
 // bounded_layout.cpp: Newton steps on springs in the plane, with bounds that harden.
 #include "bounded_layout.h"
 
-#include "hessian_solver.h"
 #include "plane_springs.h"
 
 #include "developable/descent/descent.h"
+#include "developable/linear/linear.h"
 
 namespace developable::detail {
 
@@ -34,21 +34,29 @@ public:
 	PlanePositions solve() {
 		if (violation() <= shareOfTolerance * strainTolerance)
 			return positions_;
-		Hardening hardening(penalty_, 1);
+		Hardening hardening(penalty_);
+		int idle = 0;
 		for (int i = 0; i < mostSteps; ++i) {
 			takeGrain();
 			const double decrease = step();
 			if (decrease < settled && violation() <= shareOfTolerance * strainTolerance)
 				break;
-			if (decrease < slow && !hardening.harden() && decrease < settled)
+			if (decrease == 0 && ++idle == patience)
+				break;
+			if (decrease == 0)
+				hardening.soften();
+			else if (decrease < slow && !hardening.harden() && decrease < least)
 				break;
 		}
 		return positions_;
 	}
 
 private:
-	static constexpr int mostSteps = 120;
-	static constexpr double slow = 0.5, settled = 1e-4, shareOfTolerance = 0.5;
+	static constexpr int mostSteps = 200, patience = 5;
+	static constexpr double slow = 0.5;    // decrease that a step must promise, or the bounds harden
+	static constexpr double settled = 1e-3; // within the bounds, less than that is not worth a step
+	static constexpr double least = 1e-9;   // nor anywhere
+	static constexpr double shareOfTolerance = 0.3;
 
 	void takeGrain() {
 		const double angle =
@@ -69,10 +77,9 @@ private:
 		springs_.addHessian(positions_, true, hessian_);
 		for (int t = 0; t < panel_.triangleCount(); ++t)
 			addElement(t, gradient);
-		Eigen::VectorXd direction;
 		const Eigen::VectorXd downward = -gradient.reshaped();
-		if (!solver_.solve(hessian_.matrix(), downward, direction))
-			direction = downward;
+		const Eigen::VectorXd direction =
+			factorization_.factorize(hessian_.matrix()) ? factorization_.solve(downward) : downward;
 		const PlanePositions move = direction.reshaped(2, positions_.cols());
 		const double slope = -downward.dot(direction), before = energy(positions_);
 		double length = std::min(1.0, 0.9 * springs_.longestStep(positions_, move));
@@ -81,7 +88,7 @@ private:
 			if (!descendsEnough(before, slope, length, energy(next)))
 				continue;
 			positions_ = next;
-			return -slope / springs_.energy(positions_);
+			return -slope / std::abs(before);
 		}
 		return 0;
 	}
@@ -106,7 +113,7 @@ private:
 	PlaneSprings springs_;
 	StrainPenalty penalty_;
 	PlaneHessian hessian_;
-	HessianSolver solver_;
+	SparseCholesky factorization_; // CG on an old factor would not do while bounds harden
 	PlanePositions positions_;
 };
 

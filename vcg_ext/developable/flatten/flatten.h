@@ -20,7 +20,7 @@ struct FlattenOptions {
 	int iterations = 400; ///< at most, for each piece; it takes 4 to 10 unless a panel folds
 	/// What the material bears from the pattern to the model. Where that is nothing at all, edges keep their
 	/// lengths as nearly as they can, whatever strain that leaves.
-	StrainBounds bounds;
+	StrainBounds bounds = {};
 	Grain grain = Grain::LongestSeam; ///< of directed bounds
 };
 

@@ -15,7 +15,8 @@ enum class Map {
 	MaximumCurvature,
 	Distance,
 	Displacement,
-	ElasticEnergy, ///< of flattening, as all behind it
+	ElasticEnergy, ///< of flattening, as all behind the next
+	BendingRadius,
 	EdgeStrain,
 	Stretch,
 	Compression
@@ -41,6 +42,7 @@ inline constexpr MapProperties mapProperties[] = {
 	{Map::Distance, "Distance", "distance", "length", 1, false, false},
 	{Map::Displacement, "Displacement", "displacement", "length", 1, false, false},
 	{Map::ElasticEnergy, "Elastic energy", "elastic_energy", "length²", 2, false, true},
+	{Map::BendingRadius, "Bending radius", "bending_radius", "length", 1, false, false},
 	{Map::EdgeStrain, "Edge strain", "edge_strain", "1", 0, false, false},
 	{Map::Stretch, "Stretch", "stretch", "1", 0, false, false},
 	{Map::Compression, "Compression", "compression", "1", 0, false, false},

@@ -46,7 +46,8 @@ enum class Reason {
 	NothingMoves = 2, ///< the local method stalled: no vertex can move
 	NeedsCut = 3,     ///< so many patches need a cut, and where
 	Unsolvable = 4,   ///< the constrained Newton method stalled at a system without a solution in double
-	BeyondBounds = 5  ///< so many patches have no pattern within their material's bounds, and where
+	BeyondBounds = 5, ///< so many patches have no pattern within their material's bounds, and where
+	WithinBounds = 6  ///< every patch has a pattern within its material's bounds
 };
 
 struct ReasonProperties {
@@ -70,6 +71,7 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	{Reason::BeyondBounds, "BEYOND_BOUNDS",
 	 "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} "
 	 "patches, first of all at ({worst_x}, {worst_y}, {worst_z})"},
+	{Reason::WithinBounds, "WITHIN_BOUNDS", "every panel has a pattern within the allowed strain"},
 };
 
 /// What every optimisation reports. Shapes are compared by the caller, which has both of them.
