@@ -47,9 +47,8 @@ std::string verdict(const Material& material, const FlatPatterns& patterns, cons
 		words += counted(std::size_t(beyond), "panel is", "panels are") + " beyond " +
 				 boundsInWords(patterns.bounds) + ", by up to " +
 				 formatted(perCent * report.beyondBounds, 3) + " % of length";
-	return words + "; largest " +
-		   formatted(perCent * std::max(report.maxStretch, report.maxCompression), 3) + " % at " +
-		   placeOfLargest(patterns, positions);
+	return words + "; largest " + formatted(perCent * std::max(report.maxStretch, report.maxCompression), 3) +
+		   " % at " + placeOfLargest(patterns, positions);
 }
 
 } // namespace
@@ -72,7 +71,8 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 		call.log(verdict(chosenMaterial(call.values), patterns, positions));
 		for (const std::string& note : patterns.report.notes)
 			call.log(note);
-	} catch (const Error&) { // it has handles or one side only; the optimisation has done its part all the same
+	} catch (
+		const Error&) { // it has handles or one side only; the optimisation has done its part all the same
 		results.push_back({"max_stretch", -1.0, ""});
 		results.push_back({"max_compression", -1.0, ""});
 	}

@@ -70,14 +70,16 @@ std::vector<Parameter> materialParameters() {
 		names.push_back(material.name);
 	return {
 		enumeration("material", names, 0, "Material",
-					"What the panels are made of, which says how far they may be stretched and compressed. See "
-					"docs/materials.md for where the numbers come from."),
-		floatParameter("allowed_stretch", ofMaterial, {ofMaterial, false, 1000}, "%", "Allowed stretch",
-					   "By how much the material may be longer on the shape than in the flat pattern; -1 means "
-					   "what the material bears. That is 0 for Custom."),
-		floatParameter("allowed_compression", ofMaterial, {ofMaterial, false, 100}, "%", "Allowed compression",
-					   "By how much the material may be shorter on the shape than in the flat pattern; -1 means "
-					   "what the material bears. That is 0 for Custom."),
+					"What the panels are made of, which says how far they may be stretched and compressed. "
+					"docs/materials.md says where the numbers come from."),
+		floatParameter(
+			"allowed_stretch", ofMaterial, {ofMaterial, false, 1000}, "%", "Allowed stretch",
+			"How much longer the material may be on the shape than in the pattern; -1 is what it bears. "
+			"That is 0 for Custom, the method of zero strain."),
+		floatParameter(
+			"allowed_compression", ofMaterial, {ofMaterial, false, 100}, "%", "Allowed compression",
+			"How much shorter the material may be on the shape than in the pattern; -1 is what it bears. "
+			"That is 0 for Custom, the method of zero strain."),
 		enumeration("grain", {"Longest seam", "X axis", "Y axis", "Z axis"}, 0, "Grain",
 					"Which way the grain, the warp of a cloth, runs in every panel. It matters for materials "
 					"that bear more in one direction than in another."),
@@ -85,9 +87,10 @@ std::vector<Parameter> materialParameters() {
 }
 
 Parameter thicknessParameter() {
-	return lengthParameter("thickness", 0, "Thickness",
-						   "How thick the material is, in the mesh's unit; 0 means that bending is not judged. "
-						   "Else the log says how much of the area is bent more tightly than it bears.");
+	return lengthParameter(
+		"thickness", 0, "Thickness",
+		"How thick the material is, in the mesh's unit; 0 means that bending is not judged. "
+		"Else the log says how much of the area is bent more tightly than it bears.");
 }
 
 const Material& chosenMaterial(const ParameterValues& values) {
@@ -98,8 +101,8 @@ StrainBounds strainBounds(const ParameterValues& values) {
 	StrainBounds bounds = chosenMaterial(values).bounds;
 	setBound(values, "allowed_stretch", &DirectionBounds::stretch, bounds);
 	setBound(values, "allowed_compression", &DirectionBounds::compression, bounds);
-	bounds.directed = bounds.directed && !(values.number("allowed_stretch") >= 0 &&
-										   values.number("allowed_compression") >= 0);
+	bounds.directed = bounds.directed &&
+					  !(values.number("allowed_stretch") >= 0 && values.number("allowed_compression") >= 0);
 	requireValid(bounds);
 	return bounds;
 }

@@ -223,10 +223,9 @@ def words_of(parameter: Any) -> str:
 
 def annotation_of(parameter: Any) -> str:
     """The type of the parameter, as Python writes it."""
-    if parameter["name"] == "material":
-        return "str"  # a file's too
     if parameter["type"] == "enumeration":
-        return f"Literal[{', '.join(map(repr, parameter['choices']))}]"
+        own_files = " | str" if parameter["name"] == "material" else ""
+        return f"Literal[{', '.join(map(repr, parameter['choices']))}]{own_files}"
     return {"bool": "bool", "int": "int", "float": "float", "length": "float", "mesh": "int"}[
         parameter["type"]
     ]

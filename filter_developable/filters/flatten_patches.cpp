@@ -63,11 +63,11 @@ void logSeams(const FilterCall& call, const std::vector<Seam>& seams) {
 /// Writes both maps to the model and to the patterns, and shows the chosen one on both.
 void writeMaps(FilterCall& call, Layer& patternLayer, const PatchAssembly& assembly,
 			   const FlatPatterns& patterns) {
-	const std::pair<Map, const Eigen::VectorXd*> maps[] = { // as the parameter has them
-		{Map::EdgeStrain, &patterns.edgeStrain},
-		{Map::ElasticEnergy, &patterns.elasticEnergy},
-		{Map::Stretch, &patterns.stretch},
-		{Map::Compression, &patterns.compression}};
+	const std::pair<Map, const Eigen::VectorXd*> maps[] = {// as the parameter has them
+														   {Map::EdgeStrain, &patterns.edgeStrain},
+														   {Map::ElasticEnergy, &patterns.elasticEnergy},
+														   {Map::Stretch, &patterns.stretch},
+														   {Map::Compression, &patterns.compression}};
 	FilterCall onPatterns{patternLayer, call.values, call.progress, [](const std::string&) {}, call.addLayer};
 	const PatchAssembly patternVertices = verticesOf(patterns);
 	int number = 0;

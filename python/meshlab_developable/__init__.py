@@ -18,7 +18,14 @@ from meshlab_developable.errors import (
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.methods import Developed, Measured
 from meshlab_developable.plugin import load
-from meshlab_developable.reports import GlobalReport, LocalReport, Measures, OptimizationReport, PatternReport, Status
+from meshlab_developable.reports import (
+    GlobalReport,
+    LocalReport,
+    Measures,
+    OptimizationReport,
+    PatternReport,
+    Status,
+)
 from meshlab_developable.sewing import Seam
 from meshlab_developable.signatures import flatten, make_developable, measure
 

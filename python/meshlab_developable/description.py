@@ -108,14 +108,14 @@ GLOBAL = Filter(
             Number(minimum=-1, maximum=1000),
             -1.0,
             "%",
-            "Constrained Newton only: By how much the material may be longer on the shape than in the flat pattern; -1 means what the material bears.",
+            "Constrained Newton only: How much longer the material may be on the shape than in the pattern; -1 is what it bears.",
         ),
         Parameter(
             "allowed_compression",
             Number(minimum=-1, maximum=100),
             -1.0,
             "%",
-            "Constrained Newton only: By how much the material may be shorter on the shape than in the flat pattern; -1 means what the material bears.",
+            "Constrained Newton only: How much shorter the material may be on the shape than in the pattern; -1 is what it bears.",
         ),
         Parameter(
             "grain",
@@ -372,14 +372,14 @@ FLATTEN = Filter(
             Number(minimum=-1, maximum=1000),
             -1.0,
             "%",
-            "By how much the material may be longer on the shape than in the flat pattern; -1 means what the material bears.",
+            "How much longer the material may be on the shape than in the pattern; -1 is what it bears.",
         ),
         Parameter(
             "allowed_compression",
             Number(minimum=-1, maximum=100),
             -1.0,
             "%",
-            "By how much the material may be shorter on the shape than in the flat pattern; -1 means what the material bears.",
+            "How much shorter the material may be on the shape than in the pattern; -1 is what it bears.",
         ),
         Parameter(
             "grain",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Materials: the plugin's table, and files of one's own in the same form.
 
-`materials.json` is a copy of the plugin's table that `generate_filters.py` writes. A file of one's own has the
-same form: a list `materials` of entries with `name`, `stretch` and `compression` in per cent, and `source`.
+`materials.json` is a copy of the plugin's table that `generate_filters.py` writes. A file of one's own has
+the same form: a list `materials` of entries with `name`, `stretch` and `compression` in per cent, and `source`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from __future__ import annotations
 import difflib
 import json
 import math
-import numbers
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -29,7 +28,9 @@ def materials(path: str | Path = TABLE) -> dict[str, dict[str, Any]]:
         content = json.loads(Path(path).read_text(encoding="utf-8"))
         entries = {entry["name"]: entry for entry in content["materials"]}
     except OSError as error:
-        raise InvalidParameterError(f"the table of materials {path} can't be read: {error.strerror}") from None
+        raise InvalidParameterError(
+            f"the table of materials {path} can't be read: {error.strerror}"
+        ) from None
     except (ValueError, KeyError, TypeError):
         raise InvalidParameterError(
             f"{path} is no table of materials: it has to be JSON with a list 'materials' of entries with a "
@@ -75,8 +76,8 @@ def greatest_bound(parameters: Mapping[str, Any]) -> float:
         own = entry.get(key, 0.0)
         if bound == -1.0:
             bounds += own.values() if isinstance(own, Mapping) else [own]
-        elif isinstance(bound, numbers.Real) and math.isfinite(bound):
-            bounds.append(bound)
+        elif isinstance(bound, int | float) and math.isfinite(bound):
+            bounds.append(float(bound))
     return float(max(bounds))
 
 
@@ -92,8 +93,8 @@ def grain_along(direction: Sequence[float], material: str) -> str:
     entry = materials().get(material, {})
     if any(isinstance(entry.get(key), Mapping) for key in ("stretch", "compression")):
         raise InvalidParameterError(
-            f"{material} bears more in one direction than in another, so its grain has to run along x, y or z, "
-            "or along the longest seam"
+            f"{material} bears more in one direction than in another, so its grain has to run along x, y or z,"
+            " or along the longest seam"
         )
     return "Longest seam"
 
@@ -106,10 +107,9 @@ def _bound(entry: Mapping[str, Any], key: str, path: str) -> float:
             f"the material {entry['name']!r} in {path} has a {key} for each direction, which only the "
             "plugin's own materials can have: give it one number"
         )
-    number = isinstance(value, numbers.Real) and not isinstance(value, bool)
-    if not number or not math.isfinite(value) or value < 0:
-        raise InvalidParameterError(
-            f"the {key} of the material {entry['name']!r} in {path} is {value!r}, but must be a number of per "
-            "cent, 0 or more"
-        )
-    return float(value)
+    if isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < math.inf:
+        return float(value)
+    raise InvalidParameterError(
+        f"the {key} of the material {entry['name']!r} in {path} is {value!r}, but must be a number of per "
+        "cent, 0 or more"
+    )

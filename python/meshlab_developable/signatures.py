@@ -90,7 +90,10 @@ def make_developable(
     max_iterations: int = 200,
     relative_change: float = 0.0001,
     smoothness: float = 3e-06,
-    material: str = "Custom",
+    material: Literal[
+        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
+    ]
+    | str = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
@@ -148,10 +151,10 @@ def make_developable(
             against distance; larger values give fewer wrinkles.
         material (only for 'global'): Constrained Newton only: What the panels are made of, which says how
             far they may be stretched and compressed.
-        allowed_stretch (%; ≤ 1000; only for 'global'): Constrained Newton only: By how much the material
-            may be longer on the shape than in the flat pattern; -1 means what the material bears.
-        allowed_compression (%; ≤ 100; only for 'global'): Constrained Newton only: By how much the material
-            may be shorter on the shape than in the flat pattern; -1 means what the material bears.
+        allowed_stretch (%; ≤ 1000; only for 'global'): Constrained Newton only: How much longer the
+            material may be on the shape than in the pattern; -1 is what it bears.
+        allowed_compression (%; ≤ 100; only for 'global'): Constrained Newton only: How much shorter the
+            material may be on the shape than in the pattern; -1 is what it bears.
         grain (only for 'global'): Constrained Newton only: Which way the grain, the warp of a cloth, runs
             in every panel.
         thickness (length; only for 'global'): Constrained Newton only: How thick the material is, in the
@@ -185,7 +188,10 @@ def flatten(
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
     weld_distance: float = 0.0,
-    material: str = "Custom",
+    material: Literal[
+        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
+    ]
+    | str = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
@@ -214,10 +220,10 @@ def flatten(
         weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
             those with equal coordinates.
         material: What the panels are made of, which says how far they may be stretched and compressed.
-        allowed_stretch (%; ≤ 1000): By how much the material may be longer on the shape than in the flat
-            pattern; -1 means what the material bears.
-        allowed_compression (%; ≤ 100): By how much the material may be shorter on the shape than in the
-            flat pattern; -1 means what the material bears.
+        allowed_stretch (%; ≤ 1000): How much longer the material may be on the shape than in the pattern;
+            -1 is what it bears.
+        allowed_compression (%; ≤ 100): How much shorter the material may be on the shape than in the
+            pattern; -1 is what it bears.
         grain: Which way the grain, the warp of a cloth, runs in every panel.
         gap (length): How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box.
         map: What is written to the vertex quality of the model and of the patterns.

@@ -80,4 +80,6 @@ def test_reasons_have_the_numbers_of_the_interface():
         "NOTHING_MOVES": 2,
         "NEEDS_CUT": 3,
         "UNSOLVABLE": 4,
+        "BEYOND_BOUNDS": 5,
+        "WITHIN_BOUNDS": 6,
     }

@@ -114,8 +114,9 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
 
     SVG, PDF (whole sheets, and tiles for an office printer), DXF for garment CAD (ASTM D6673, AAMA), and JSON
     that says which edge is sewn to which. Pieces have a seam allowance, notches and letters that match along
-    seams, a name and a grain line. Make the panels developable first (`developable global`, with the same --material): what can't be
-    laid flat is stretched here and there, and refused beyond 5 %. Nothing is written when something is wrong.
+    seams, a name and a grain line. Make the panels developable first (`developable global`, with the same
+    material): what can't be laid flat is stretched here and there, and refused beyond 5 %, or what its
+    material bears. Nothing is written when something is wrong.
 
     \b
     Examples:

@@ -12,8 +12,8 @@ from typing import Any
 import numpy.typing as npt
 import shapely
 
-from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable import materials
+from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.mesh_sets import Source
 from meshlab_developable.patterns.drawing import Drawing, Motion, print_check

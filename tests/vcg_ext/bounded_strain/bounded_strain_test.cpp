@@ -16,7 +16,8 @@ BoundedStrainOptions optionsFor(double stretch, double compression) {
 	return options;
 }
 
-FlatPatterns patternsOf(const PatchAssembly& assembly, const Positions& positions, const StrainBounds& bounds) {
+FlatPatterns patternsOf(const PatchAssembly& assembly, const Positions& positions,
+						const StrainBounds& bounds) {
 	FlattenOptions options;
 	options.bounds = bounds;
 	return flattenPatches(assembly, positions, options);
@@ -64,7 +65,8 @@ TEST(BoundedStrain, ACapStaysWhereItsMaterialBearsWhatTheSphereAsksFor) {
 
 TEST(BoundedStrain, ACapMovesWhereItBearsLess) {
 	const PatchAssembly assembly = assembled(sphericalCap(capAngle, 8));
-	const double bounds[][2] = {{0.9 * equalBounds, 0.9 * equalBounds}, {0.9 * oneBound, 0}, {0, 0.9 * oneBound}};
+	const double bounds[][2] = {
+		{0.9 * equalBounds, 0.9 * equalBounds}, {0.9 * oneBound, 0}, {0, 0.9 * oneBound}};
 	for (const auto& [stretch, compression] : bounds) {
 		Positions positions = assembly.originalPositions;
 		const BoundedStrainReport report =

@@ -36,8 +36,8 @@ TEST(BoundedLayout, AmongThoseWithinTheBoundsItIsTheLeastSumOfSquares) {
 	double before = wide;
 	for (const double share : {0.9, 0.8, 0.7}) {
 		const FlatPatterns free = flattened(mesh);
-		const double energy = within(mesh, StrainBounds::isotropic(share * free.report.maxStretch, 0.9))
-								  .report.elasticEnergy;
+		const double energy =
+			within(mesh, StrainBounds::isotropic(share * free.report.maxStretch, 0.9)).report.elasticEnergy;
 		EXPECT_GT(energy, before * (1 - 1e-6));
 		before = energy;
 	}
@@ -46,7 +46,8 @@ TEST(BoundedLayout, AmongThoseWithinTheBoundsItIsTheLeastSumOfSquares) {
 }
 
 TEST(BoundedLayout, SaysWhereNoPatternIsWithinTheBounds) {
-	const FlatPatterns patterns = within(jitteredGrid(15, 15, bump(0.3, 12)), StrainBounds::isotropic(1e-3, 1e-3));
+	const FlatPatterns patterns =
+		within(jitteredGrid(15, 15, bump(0.3, 12)), StrainBounds::isotropic(1e-3, 1e-3));
 	EXPECT_GT(patterns.report.beyondBounds, 1e-3);
 	EXPECT_EQ(patterns.report.flippedFaces, 0);
 	ASSERT_EQ(patterns.report.notes.size(), 1u);
@@ -75,8 +76,8 @@ TEST(BoundedLayout, GrainAlongAnAxisTurnsWithIt) {
 		for (int t = 0; t < triangles.cols(); ++t) {
 			const TriangleStrain strain(assembly.originalPositions(Eigen::all, strained.shaped.col(t)),
 										patterns.positions(Eigen::all, strained.flat.col(t)));
-			greatest = std::max(
-				greatest, (strain.map * Eigen::Vector2d(std::cos(angle), std::sin(angle))).norm() - 1);
+			greatest = std::max(greatest,
+								(strain.map * Eigen::Vector2d(std::cos(angle), std::sin(angle))).norm() - 1);
 		}
 		EXPECT_LT(greatest, bounds.warp.stretch + 1e-4);
 		EXPECT_GT(patterns.report.maxStretch, bounds.warp.stretch);

@@ -19,11 +19,12 @@ constexpr double slow = 0.9;             // decrease of φ that a step must prom
 constexpr double settledDecrease = 0.02; // of φ, and of the distance: less means that the nearest is found
 constexpr double settledDistance = 0.005;
 constexpr double lastTolerance = 1e-4; // as flattenPatches has it
-constexpr int patience = 8; // steps that were no good
+constexpr int patience = 8;            // steps that were no good
 
 void requireValid(const BoundedStrainOptions& options) {
 	requireValid(options.bounds);
-	requireOption(options.bounds.any(), "No strain is allowed: that is a task of the constrained Newton method.");
+	requireOption(options.bounds.any(),
+				  "No strain is allowed: that is a task of the constrained Newton method.");
 	requireOption(options.smoothness > 0 && options.smoothness <= 1,
 				  "The smoothness must be greater than 0 and at most 1.");
 	requireOption(options.maxIterations >= 0, "The limit of iterations must not be negative.");
@@ -152,7 +153,7 @@ BoundedStrainReport boundedStrain(const PatchAssembly& assembly, Positions& posi
 		return report;
 	}
 	report.beyondBounds = patterns.report.beyondBounds;
-	if (report.beyondBounds <= options.tolerance) {
+	if (report.beyondBounds <= lastTolerance) {
 		report.reason = Reason::WithinBounds;
 		return report;
 	}

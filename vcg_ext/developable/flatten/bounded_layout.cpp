@@ -53,7 +53,7 @@ public:
 
 private:
 	static constexpr int mostSteps = 200, patience = 5;
-	static constexpr double slow = 0.5;    // decrease that a step must promise, or the bounds harden
+	static constexpr double slow = 0.5;     // decrease that a step must promise, or the bounds harden
 	static constexpr double settled = 1e-3; // within the bounds, less than that is not worth a step
 	static constexpr double least = 1e-9;   // nor anywhere
 	static constexpr double shareOfTolerance = 0.3;

@@ -29,10 +29,10 @@ struct FlatPiece {
 	double maxEdgeStrain = 0;
 	double meanEdgeStrain = 0;
 	double elasticEnergy = 0; ///< length²
-	double maxStretch = 0;     ///< see FlattenReport
+	double maxStretch = 0;    ///< see FlattenReport
 	double maxCompression = 0;
-	double beyondBounds = 0;   ///< by how much a strain is beyond its bound, at most; 0: all are within
-	int worstTriangle = -1;    ///< where that is
+	double beyondBounds = 0; ///< by how much a strain is beyond its bound, at most; 0: all are within
+	int worstTriangle = -1;  ///< where that is
 	std::array<int, 2> longestSide = {-1, -1}; ///< the ends of its longest seam, or side if it has none
 	int flippedFaces = 0;
 	bool overlapping = false; ///< with itself or another piece
@@ -47,9 +47,9 @@ struct FlattenReport {
 	double meanEdgeStrain = 0;
 	double elasticEnergy = 0;   ///< Σ (flattened length − length)², length²
 	double maxSeamMismatch = 0; ///< length
-	double maxStretch = 0;      ///< the greatest σ1 − 1 of the maps from pattern to model, 0 where none is above 1
-	double maxCompression = 0;  ///< the greatest 1 − σ2 alike
-	double beyondBounds = 0;    ///< of the pieces' the greatest
+	double maxStretch = 0; ///< the greatest σ1 − 1 of the maps from pattern to model, 0 where none is above 1
+	double maxCompression = 0; ///< the greatest 1 − σ2 alike
+	double beyondBounds = 0;   ///< of the pieces' the greatest
 	int overlappingPieces = 0;
 	int flippedFaces = 0;
 	bool stopped = false;           ///< by the user: there are no patterns

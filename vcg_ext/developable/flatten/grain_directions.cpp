@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// grain_directions.cpp: the grain along a side, or along an axis of the model as it comes to lie in the plane.
+// grain_directions.cpp: the grain along a side, or along an axis of the model as it comes to lie in the
+// plane.
 #include "grain_directions.h"
 
 #include "developable/geometry/geometry.h"

@@ -3,8 +3,8 @@
 #include "pattern_measures.h"
 
 #include "boundary_crossings.h"
-#include "grain_directions.h"
 #include "bounded_layout.h"
+#include "grain_directions.h"
 #include "panel_maker.h"
 #include "seams.h"
 
@@ -62,7 +62,8 @@ void measureTriangles(const PatchAssembly& assembly, const Positions& model, Fla
 	}
 	for (int t = 0; t < triangles.count(); ++t) {
 		FlatPiece& piece = patterns.pieces[assembly.patchOfTriangle[t]];
-		const double stretch = std::max(strains(0, t) - 1, 0.0), compression = std::max(1 - strains(1, t), 0.0);
+		const double stretch = std::max(strains(0, t) - 1, 0.0),
+					 compression = std::max(1 - strains(1, t), 0.0);
 		piece.maxStretch = std::max(piece.maxStretch, stretch);
 		piece.maxCompression = std::max(piece.maxCompression, compression);
 		for (const int vertex : patterns.triangles.col(t)) {
@@ -116,15 +117,16 @@ void addNotes(int number, const FlatPiece& piece, std::vector<std::string>& note
 }
 
 /// Which piece is beyond the bounds, where and by how much.
-void addNoteOfBounds(const PatchAssembly& assembly, const Positions& model, int number, const FlatPiece& piece,
-					 std::vector<std::string>& notes) {
+void addNoteOfBounds(const PatchAssembly& assembly, const Positions& model, int number,
+					 const FlatPiece& piece, std::vector<std::string>& notes) {
 	const Eigen::Vector3d at =
 		model(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
 	char text[240];
-	std::snprintf(text, sizeof text,
-				  "Piece %d has no pattern within the allowed strain: the nearest found is beyond it by %.3g %% "
-				  "of length, most at (%.6g, %.6g, %.6g).",
-				  number + 1, 100 * piece.beyondBounds, at[0], at[1], at[2]);
+	std::snprintf(
+		text, sizeof text,
+		"Piece %d has no pattern within the allowed strain: the nearest found is beyond it by %.3g %% "
+		"of length, most at (%.6g, %.6g, %.6g).",
+		number + 1, 100 * piece.beyondBounds, at[0], at[1], at[2]);
 	notes.emplace_back(text);
 }
 

@@ -124,8 +124,8 @@ Eigen::VectorXd StrainPenalty::violations(const Positions& shaped, const Eigen::
 		for (const Direction& direction : directions(t, triangle)) {
 			const double length = (triangle.map * direction.vector).norm();
 			if (direction.bounded)
-				result[t] = std::max({result[t], length - std::exp(direction.greatest),
-									  std::exp(direction.least) - length});
+				result[t] = std::max(
+					{result[t], length - std::exp(direction.greatest), std::exp(direction.least) - length});
 		}
 	}
 	return result;

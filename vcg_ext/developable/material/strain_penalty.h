@@ -14,10 +14,11 @@ namespace developable {
 
 /// The triangles of a shape and of its pattern, corner by corner; in the plane they run counterclockwise.
 struct StrainedTriangles {
-	Eigen::Matrix3Xi shaped;   ///< 3 x triangles, columns of 3D positions
-	Eigen::Matrix3Xi flat;     ///< 3 x triangles, columns of plane positions
-	Eigen::VectorXd weights;   ///< per triangle, its share of the area
-	std::vector<double> grain; ///< per triangle, the direction of the warp in the plane, rad; empty: undirected
+	Eigen::Matrix3Xi shaped; ///< 3 x triangles, columns of 3D positions
+	Eigen::Matrix3Xi flat;   ///< 3 x triangles, columns of plane positions
+	Eigen::VectorXd weights; ///< per triangle, its share of the area
+	std::vector<double>
+		grain; ///< per triangle, the direction of the warp in the plane, rad; empty: undirected
 
 	int count() const { return static_cast<int>(flat.cols()); }
 };

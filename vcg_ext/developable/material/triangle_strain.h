@@ -10,9 +10,9 @@ namespace developable {
 struct TriangleStrain {
 	Eigen::Matrix<double, 3, 2> map = Eigen::Matrix<double, 3, 2>::Zero();
 	Eigen::Matrix2d inverseFlatEdges = Eigen::Matrix2d::Zero();
-	double flatArea = 0; ///< doubled, signed
-	double greatest = 0; ///< σ1
-	double least = 0;    ///< σ2 ≤ σ1
+	double flatArea = 0;                        ///< doubled, signed
+	double greatest = 0;                        ///< σ1
+	double least = 0;                           ///< σ2 ≤ σ1
 	Eigen::Vector2d greatestDirection = {1, 0}; ///< in the plane, unit length; that of σ2 is normal to it
 
 	/// \param shaped  the corners of the triangle of the shape, one in each column
