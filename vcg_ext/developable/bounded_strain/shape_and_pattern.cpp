@@ -47,7 +47,7 @@ double ShapeAndPatternSteps::step(ShapeAndPattern& unknowns) {
 		return 0;
 	const auto shapeSize = unknowns.shape.size(), patternSize = unknowns.pattern.size();
 	const double slope = gradient.dot(whole), before = value(unknowns);
-	double length = 1;
+	double length = std::min(1.0, 4 * lastLength_);
 	for (int trial = 0; trial < mostTrials; ++trial, length /= 2) {
 		ShapeAndPattern next = {
 			unknowns.shape + length * whole.head(shapeSize).reshaped(3, unknowns.shape.cols()),
@@ -57,9 +57,11 @@ double ShapeAndPatternSteps::step(ShapeAndPattern& unknowns) {
 		settle(next);
 		if (descendsEnough(before, slope, length, value(next)) && order_.holds(next.shape)) {
 			unknowns = std::move(next);
+			lastLength_ = length;
 			return -slope / std::abs(before);
 		}
 	}
+	lastLength_ = 1;
 	return 0;
 }
 
@@ -135,13 +137,14 @@ bool ShapeAndPatternSteps::settleOnce(ShapeAndPattern& unknowns, double& value) 
 	Entries entries;
 	entries.reserve(21 * penalty_.triangles().count() + size);
 	for (int t = 0; t < penalty_.triangles().count(); ++t) {
-		const StrainPenalty::Element element = penalty_.element(t, unknowns.shape, unknowns.pattern);
+		const StrainPenalty::FlatElement element =
+			penalty_.flatElement(t, unknowns.shape, unknowns.pattern);
 		const auto index = [&](int i) { return 2 * penalty_.triangles().flat(i / 2, t) + i % 2; };
 		for (int i = 0; i < 6; ++i) {
-			gradient[index(i)] += element.gradient[9 + i];
+			gradient[index(i)] += element.gradient[i];
 			for (int j = 0; j <= i; ++j)
 				entries.emplace_back(std::max(index(i), index(j)), std::min(index(i), index(j)),
-									 element.hessian(9 + i, 9 + j));
+									 element.hessian(i, j));
 		}
 	}
 	if (!factorize(pattern_, size, entries, 0))

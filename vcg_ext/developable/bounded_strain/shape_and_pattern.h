@@ -50,6 +50,7 @@ private:
 	const TriangleOrder order_;
 	const double area_;
 	SparseCholesky whole_, pattern_;
+	double lastLength_ = 1; // of a step: the next one is not tried at more than four times that
 	bool solvable_ = true;
 };
 

@@ -35,24 +35,28 @@ public:
 		if (violation() <= shareOfTolerance * strainTolerance)
 			return positions_;
 		Hardening hardening(penalty_);
-		int idle = 0;
+		int idle = 0, steps = 0; // no good in all, and with the same stiffness
 		for (int i = 0; i < mostSteps; ++i) {
 			takeGrain();
 			const double decrease = step();
 			if (decrease < settled && violation() <= shareOfTolerance * strainTolerance)
 				break;
-			if (decrease == 0 && ++idle == patience)
-				break;
-			if (decrease == 0)
+			if (decrease == 0) {
+				if (++idle == patience)
+					break;
 				hardening.soften();
-			else if (decrease < slow && !hardening.harden() && decrease < least)
-				break;
+				steps = 0;
+			} else if (decrease < slow || ++steps == mostStepsAtOnce) {
+				if (!hardening.harden() && decrease < least)
+					break;
+				steps = 0;
+			}
 		}
 		return positions_;
 	}
 
 private:
-	static constexpr int mostSteps = 200, patience = 5;
+	static constexpr int mostSteps = 400, patience = 5, mostStepsAtOnce = 8;
 	static constexpr double slow = 0.5;     // decrease that a step must promise, or the bounds harden
 	static constexpr double settled = 1e-3; // within the bounds, less than that is not worth a step
 	static constexpr double least = 1e-9;   // nor anywhere
@@ -94,12 +98,12 @@ private:
 	}
 
 	void addElement(int t, PlanePositions& gradient) {
-		const StrainPenalty::Element element = penalty_.element(t, panel_.positions, positions_);
+		const StrainPenalty::FlatElement element = penalty_.flatElement(t, panel_.positions, positions_);
 		const auto corners = panel_.triangles.col(t);
 		for (int row = 0; row < 3; ++row) {
-			gradient.col(corners[row]) += springs_.scale() * element.gradient.segment<2>(9 + 2 * row);
+			gradient.col(corners[row]) += springs_.scale() * element.gradient.segment<2>(2 * row);
 			for (int column = 0; column <= row; ++column) {
-				Eigen::Matrix2d block = element.hessian.block<2, 2>(9 + 2 * row, 9 + 2 * column);
+				Eigen::Matrix2d block = element.hessian.block<2, 2>(2 * row, 2 * column);
 				if (row == column)
 					block(0, 1) = block(1, 0);
 				hessian_.add(corners[row], corners[column], springs_.scale() * block);

@@ -14,16 +14,18 @@ Eigen::Matrix3d cornersOf(const Positions& positions, const Eigen::Vector3i& cor
 	return positions(Eigen::all, corners);
 }
 
-using Row = Eigen::Matrix<double, 15, 1>;
-
-/// The derivatives of F : M for a constant M: by the shape's corners, then by the pattern's.
-Row derivatives(const TriangleStrain& strain, const Eigen::Matrix<double, 3, 2>& m) {
+/// The derivatives of F : M for a constant M, by the last so many of the coordinates of the shape's corners
+/// and the pattern's.
+template <int size>
+Eigen::Matrix<double, size, 1> derivativesOfMap(const TriangleStrain& strain,
+												const Eigen::Matrix<double, 3, 2>& m) {
 	// dF = (dX − F dU) U⁻¹ with X and U the edges from the first corner.
 	const Eigen::Matrix<double, 3, 2> byShape = m * strain.inverseFlatEdges.transpose();
 	const Eigen::Matrix2d byPattern = -strain.map.transpose() * byShape;
-	Row result;
-	result << -byShape.rowwise().sum(), byShape.col(0), byShape.col(1), -byPattern.rowwise().sum(),
-		byPattern.col(0), byPattern.col(1);
+	Eigen::Matrix<double, size, 1> result;
+	if constexpr (size == 15)
+		result.template head<9>() << -byShape.rowwise().sum(), byShape.col(0), byShape.col(1);
+	result.template tail<6>() << -byPattern.rowwise().sum(), byPattern.col(0), byPattern.col(1);
 	return result;
 }
 
@@ -92,12 +94,24 @@ double StrainPenalty::value(const Positions& shaped, const Eigen::Matrix2Xd& fla
 
 StrainPenalty::Element StrainPenalty::element(int t, const Positions& shaped,
 											  const Eigen::Matrix2Xd& flat) const {
+	return derivatives<15>(t, shaped, flat);
+}
+
+StrainPenalty::FlatElement StrainPenalty::flatElement(int t, const Positions& shaped,
+													  const Eigen::Matrix2Xd& flat) const {
+	return derivatives<6>(t, shaped, flat);
+}
+
+template <int size>
+StrainPenalty::Derivatives<size> StrainPenalty::derivatives(int t, const Positions& shaped,
+															const Eigen::Matrix2Xd& flat) const {
 	const TriangleStrain triangle = strain(t, shaped, flat);
 	const Eigen::Vector3d normal =
 		Eigen::Vector3d(triangle.map.col(0)).cross(Eigen::Vector3d(triangle.map.col(1))).normalized();
-	Element element;
+	using Row = Eigen::Matrix<double, size, 1>;
+	Derivatives<size> element;
 	const auto add = [&](const Row& row, double second) {
-		element.hessian.selfadjointView<Eigen::Lower>().rankUpdate(row, second);
+		element.hessian.template selfadjointView<Eigen::Lower>().rankUpdate(row, second);
 	};
 	for (const Direction& direction : directions(t, triangle)) {
 		const Eigen::Vector3d image = triangle.map * direction.vector;
@@ -105,14 +119,14 @@ StrainPenalty::Element StrainPenalty::element(int t, const Positions& shaped,
 		const Eigen::Vector3d unit = image / length;
 		const Slope cost = slope(direction, std::log(length));
 		const double weight = triangles_.weights[t];
-		const Row row = derivatives(triangle, unit * direction.vector.transpose() / length);
+		const Row row = derivativesOfMap<size>(triangle, unit * direction.vector.transpose() / length);
 		element.gradient += weight * cost.first * row;
 		add(row, weight * cost.second);
 		// A tension resists being turned.
 		const double turning = weight * cost.first / (length * length);
 		if (turning > 0)
 			for (const Eigen::Vector3d& side : {normal, Eigen::Vector3d(normal.cross(unit))})
-				add(derivatives(triangle, side * direction.vector.transpose()), turning);
+				add(derivativesOfMap<size>(triangle, side * direction.vector.transpose()), turning);
 	}
 	return element;
 }

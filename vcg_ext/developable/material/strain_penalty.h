@@ -31,11 +31,16 @@ struct StrainedTriangles {
 /// derivatives leave out what would make them indefinite.
 class StrainPenalty {
 public:
-	/// Derivatives by the nine coordinates of the shape's corners, then by the six of the pattern's.
-	struct Element {
-		Eigen::Matrix<double, 15, 1> gradient = Eigen::Matrix<double, 15, 1>::Zero();
-		Eigen::Matrix<double, 15, 15> hessian = Eigen::Matrix<double, 15, 15>::Zero();
+	/// Derivatives by so many coordinates.
+	template <int size>
+	struct Derivatives {
+		Eigen::Matrix<double, size, 1> gradient = Eigen::Matrix<double, size, 1>::Zero();
+		Eigen::Matrix<double, size, size> hessian = Eigen::Matrix<double, size, size>::Zero(); ///< lower half
 	};
+	/// By the nine coordinates of the shape's corners, then by the six of the pattern's.
+	using Element = Derivatives<15>;
+	/// By the six of the pattern's corners.
+	using FlatElement = Derivatives<6>;
 
 	/// \param elasticity  γ
 	StrainPenalty(StrainedTriangles triangles, const StrainBounds& bounds, double elasticity);
@@ -56,6 +61,7 @@ public:
 
 	/// Of one triangle. The pattern must not be flipped there.
 	Element element(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+	FlatElement flatElement(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 
 	/// By how much each triangle is beyond its bounds, as a strain; 0 within.
 	Eigen::VectorXd violations(const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
@@ -78,6 +84,8 @@ private:
 		double value, first, second; // of the cost by e
 	};
 
+	template <int size>
+	Derivatives<size> derivatives(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 	TriangleStrain strain(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 	Directions directions(int triangle, const TriangleStrain& strain) const;
 	Slope slope(const Direction& direction, double strain) const;
