@@ -132,7 +132,7 @@ TEST(BendingRadius, IsThatOfACylinderAndScalesWithIt) {
 	const PatchAssembly assembly = assembled(mesh);
 	const Eigen::VectorXd radii = bendingRadii(assembly, assembly.originalPositions);
 	EXPECT_NEAR(radii.mean(), 3, 0.05);
-	EXPECT_EQ(shareBelowRadius(assembly, assembly.originalPositions, radii, 4), 1);
+	EXPECT_NEAR(shareBelowRadius(assembly, assembly.originalPositions, radii, 4), 1, 1e-12);
 	EXPECT_EQ(shareBelowRadius(assembly, assembly.originalPositions, radii, 2), 0);
 	EXPECT_NEAR(leastBendingRadius(2, 0.0012), 833.3, 0.1); // mild steel: some 400 thicknesses
 	const PatchAssembly flat = assembled(grid(5, 5, flatSheet));

@@ -137,8 +137,7 @@ bool ShapeAndPatternSteps::settleOnce(ShapeAndPattern& unknowns, double& value) 
 	Entries entries;
 	entries.reserve(21 * penalty_.triangles().count() + size);
 	for (int t = 0; t < penalty_.triangles().count(); ++t) {
-		const StrainPenalty::FlatElement element =
-			penalty_.flatElement(t, unknowns.shape, unknowns.pattern);
+		const StrainPenalty::FlatElement element = penalty_.flatElement(t, unknowns.shape, unknowns.pattern);
 		const auto index = [&](int i) { return 2 * penalty_.triangles().flat(i / 2, t) + i % 2; };
 		for (int i = 0; i < 6; ++i) {
 			gradient[index(i)] += element.gradient[i];

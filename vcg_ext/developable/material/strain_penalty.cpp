@@ -29,6 +29,19 @@ Eigen::Matrix<double, size, 1> derivativesOfMap(const TriangleStrain& strain,
 	return result;
 }
 
+/// The derivatives of X : M for the edges X of the shape, and of U : M for those of the pattern.
+Eigen::Matrix<double, 15, 1> derivativesOfShape(const Eigen::Matrix<double, 3, 2>& m) {
+	Eigen::Matrix<double, 15, 1> result = Eigen::Matrix<double, 15, 1>::Zero();
+	result.head<9>() << -m.rowwise().sum(), m.col(0), m.col(1);
+	return result;
+}
+template <int size>
+Eigen::Matrix<double, size, 1> derivativesOfPattern(const Eigen::Matrix2d& m) {
+	Eigen::Matrix<double, size, 1> result = Eigen::Matrix<double, size, 1>::Zero();
+	result.template tail<6>() << -m.rowwise().sum(), m.col(0), m.col(1);
+	return result;
+}
+
 } // namespace
 
 StrainPenalty::StrainPenalty(StrainedTriangles triangles, const StrainBounds& bounds, double elasticity)
@@ -122,11 +135,15 @@ StrainPenalty::Derivatives<size> StrainPenalty::derivatives(int t, const Positio
 		const Row row = derivativesOfMap<size>(triangle, unit * direction.vector.transpose() / length);
 		element.gradient += weight * cost.first * row;
 		add(row, weight * cost.second);
-		// A tension resists being turned.
-		const double turning = weight * cost.first / (length * length);
-		if (turning > 0)
+		// A tension resists that the shape is turned, a compression that the pattern is.
+		const Eigen::Vector2d along = triangle.inverseFlatEdges * direction.vector;
+		const Eigen::Vector2d across(-direction.vector[1], direction.vector[0]);
+		const double turning = weight * std::abs(cost.first);
+		if (cost.first < 0)
+			add(derivativesOfPattern<size>(across * along.transpose()), turning);
+		else if constexpr (size == 15)
 			for (const Eigen::Vector3d& side : {normal, Eigen::Vector3d(normal.cross(unit))})
-				add(derivativesOfMap<size>(triangle, side * direction.vector.transpose()), turning);
+				add(derivativesOfShape(side * along.transpose() / length), turning);
 	}
 	return element;
 }
