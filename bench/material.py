@@ -77,10 +77,9 @@ def rows_of(path: Path) -> None:
         else:
             line = nearest_on_line(vertices, target, faces, bound)
         line_move = 100 * line * np.linalg.norm(target - vertices, axis=1).mean() / diagonal
-        print_row(
-            path.stem, f"{bound:g}", result.report.status.name.lower(),
-            f"{moves.mean():.3f}", f"{line_move:.3f}", f"{moves.max():.2f}", f"{100 * strain:.4f}", f"{seconds:.1f}",
-        )  # fmt: skip
+        numbers = (f"{moves.mean():.3f}", f"{line_move:.3f}", f"{moves.max():.2f}", f"{100 * strain:.4f}")
+        status = result.report.status.name.lower()
+        print_row(path.stem, f"{bound:g}", status, *numbers, f"{seconds:.1f}")
 
 
 def main() -> None:

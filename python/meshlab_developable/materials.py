@@ -2,7 +2,8 @@
 """Materials: the plugin's table, and files of one's own in the same form.
 
 `materials.json` is a copy of the plugin's table that `generate_filters.py` writes. A file of one's own has
-the same form: a list `materials` of entries with `name`, `stretch` and `compression` in per cent, and `source`.
+the same form: a list `materials` of entries with `name`, `stretch` and `compression` in per cent, and
+`source`.
 """
 
 from __future__ import annotations
@@ -93,8 +94,8 @@ def grain_along(direction: Sequence[float], material: str) -> str:
     entry = materials().get(material, {})
     if any(isinstance(entry.get(key), Mapping) for key in ("stretch", "compression")):
         raise InvalidParameterError(
-            f"{material} bears more in one direction than in another, so its grain has to run along x, y or z,"
-            " or along the longest seam"
+            f"{material} bears more in one direction than in another, so its grain has to run along x, y or "
+            "z, or along the longest seam"
         )
     return "Longest seam"
 
