@@ -9,6 +9,7 @@
 #include "vertex_data.h"
 
 #include "developable/geometry/geometry.h"
+#include "developable/material/material.h"
 
 #include <cmath>
 
@@ -49,6 +50,8 @@ Eigen::VectorXd mapValues(Map map, const PatchAssembly& assembly, const Position
 		return distancesToSurface(positions, original, assembly.trianglePlaces);
 	case Map::Displacement:
 		return displacementMap(original, positions);
+	case Map::BendingRadius:
+		return bendingRadii(assembly, positions);
 	default:
 		return Eigen::VectorXd::Zero(assembly.placeCount());
 	}

@@ -49,7 +49,8 @@ std::string statusInWords(const OptimizationReport& report, const std::string& r
 						" rad of total absolute curvature is left of " +
 						formatted(before.totalAbsoluteCurvature, 4);
 	// A flattened panel is strained by up to a third of C: beyond a thousandth that shows.
-	if (converged(report.status) && after.totalAbsoluteCurvature > 3e-3)
+	if (converged(report.status) && report.reason != Reason::WithinBounds &&
+		after.totalAbsoluteCurvature > 3e-3)
 		words += "; every vertex passes, but they add up: lower angle_tolerance to come nearer to a "
 				 "developable shape";
 	return words;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// practical_notes.cpp: lays patches flat that are nearly developable, and looks at how far parts moved.
+// practical_notes.cpp: lays patches flat that are nearly developable.
 #include "practical_notes.h"
 
 #include "results.h"
@@ -13,7 +13,6 @@ namespace developable::plugin {
 namespace {
 
 constexpr double littleCurvature = 0.3; ///< rad, of a patch: it strains by a tenth at most when laid flat
-constexpr double farMove = 0.05;        ///< share of a part's diagonal
 
 bool isLeft(const PanelReport& panel) {
 	return !converged(panel.verdict.status);
@@ -39,24 +38,6 @@ std::optional<double> strainLeft(const PatchAssembly& assembly, const Positions&
 	} catch (const Error&) { // a patch with handles, or one that lost a triangle to rounding
 		return std::nullopt;
 	}
-}
-
-std::string warningOfFarMoves(const PatchAssembly& assembly, const Positions& positions,
-							  const std::vector<PanelReport>& panels) {
-	double greatest = 0;
-	for (const AssemblyPart& part : partsOf(assembly)) {
-		const auto ended = [&](int patch) { return !isLeft(panels[std::size_t(patch)]); };
-		if (!std::all_of(part.wholePatch.begin(), part.wholePatch.end(), ended))
-			continue;
-		const Positions& original = part.assembly.originalPositions;
-		const Positions moves = positions(Eigen::all, part.wholePlace) - original;
-		greatest = std::max(greatest, moves.colwise().norm().maxCoeff() / boxDiagonal(original));
-	}
-	if (!(greatest > farMove))
-		return "";
-	return "a vertex moved by " + formatted(100 * greatest, 2) +
-		   " % of the diagonal of its part: look whether the shape still is what you want, or lower "
-		   "max_displacement";
 }
 
 } // namespace developable::plugin

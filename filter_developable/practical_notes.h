@@ -15,9 +15,4 @@ namespace developable::plugin {
 std::optional<double> strainLeft(const PatchAssembly& assembly, const Positions& positions,
 								 const std::vector<PanelReport>& panels);
 
-/// A sentence when a part that has converged has a vertex that moved more than a twentieth of the part's
-/// diagonal; else empty.
-std::string warningOfFarMoves(const PatchAssembly& assembly, const Positions& positions,
-							  const std::vector<PanelReport>& panels);
-
 } // namespace developable::plugin

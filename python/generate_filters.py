@@ -2,8 +2,8 @@
 """Writes what the package knows of the filters, as the built plugin describes them.
 
 `.venv/bin/python python/generate_filters.py`, after a build of the plugin, writes description.py (filters
-with their parameters, statuses, reasons) and signatures.py (functions that take each parameter by its name)
-in the package. What the plugin says is laid down in filter_developable/description.h.
+with their parameters, statuses, reasons), signatures.py (functions that take each parameter by its name) and
+the table of materials in the package. What the plugin says is laid down in filter_developable/description.h.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ import pymeshlab  # noqa: F401 - brings the libraries that the plugin needs
 
 PACKAGE = Path(__file__).resolve().parent / "meshlab_developable"
 PLUGIN = PACKAGE.parents[1] / "build" / "pymeshlab-2025.7" / "libfilter_developable.so"
+MATERIALS = PACKAGE.parents[1] / "filter_developable" / "materials.json"
 COMMAND = ".venv/bin/python python/generate_filters.py"
 HEAD = f"""\
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -33,7 +34,17 @@ from __future__ import annotations
 
 import enum
 
-from meshlab_developable.parameters import Boolean, Choice, Filter, Layer, Length, Number, Parameter, Whole
+from meshlab_developable.parameters import (
+    Boolean,
+    Choice,
+    Filter,
+    Layer,
+    Length,
+    Material,
+    Number,
+    Parameter,
+    Whole,
+)
 
 """
 SIGNATURES_HEAD = f"""{HEAD}
@@ -71,7 +82,8 @@ def generated() -> dict[Path, str]:
     """What the files have to hold."""
     described = plugin_description()
     texts = {"description.py": description_text(described), "signatures.py": signatures_text(described)}
-    return {PACKAGE / name: formatted(text, name) for name, text in texts.items()}
+    files = {PACKAGE / name: formatted(text, name) for name, text in texts.items()}
+    return files | {PACKAGE / "materials.json": MATERIALS.read_text(encoding="utf-8")}
 
 
 def plugin_description() -> Any:
@@ -130,7 +142,8 @@ def kind_text(parameter: Any) -> str:
     kinds = {"bool": "Boolean", "int": "Whole", "float": "Number", "length": "Length", "mesh": "Layer"}
     arguments: dict[str, Any] = {}
     if parameter["type"] == "enumeration":
-        return f"Choice({tuple(parameter['choices'])!r})"
+        kind = "Material" if parameter["name"] == "material" else "Choice"
+        return f"{kind}({tuple(parameter['choices'])!r})"
     if parameter["type"] == "length":
         arguments = {"automatic": parameter["automatic"]}
     if parameter["type"] == "float":
@@ -224,7 +237,8 @@ def words_of(parameter: Any) -> str:
 def annotation_of(parameter: Any) -> str:
     """The type of the parameter, as Python writes it."""
     if parameter["type"] == "enumeration":
-        return f"Literal[{', '.join(map(repr, parameter['choices']))}]"
+        own_files = " | str" if parameter["name"] == "material" else ""
+        return f"Literal[{', '.join(map(repr, parameter['choices']))}]{own_files}"
     return {"bool": "bool", "int": "int", "float": "float", "length": "float", "mesh": "int"}[
         parameter["type"]
     ]

@@ -37,7 +37,7 @@ std::vector<ComputedMap> computeMaps(const PatchAssembly& assembly,
 	const Positions& positions = assembly.originalPositions;
 	std::vector<ComputedMap> maps;
 	for (const Map map : {Map::GaussianMap, Map::AngleDefect, Map::GaussianCurvature, Map::MinimumCurvature,
-						  Map::MaximumCurvature})
+						  Map::MaximumCurvature, Map::BendingRadius})
 		maps.push_back({map, mapValues(map, assembly, positions, positions)});
 	if (chosen == Map::ElasticEnergy) {
 		const std::optional<Eigen::VectorXd> energies = elasticEnergyMap(assembly, progress);
@@ -143,7 +143,7 @@ FilterDescription developabilityMaps() {
 		"Sections 3 and 6.";
 	filter.parameters = {
 		patchesParameter(),        weldDistanceParameter(),
-		angleToleranceParameter(), mapParameter(Map::GaussianMap, {"Elastic energy"}),
+		angleToleranceParameter(), mapParameter(Map::GaussianMap, {"Elastic energy", "Bending radius"}),
 		referenceParameter(),      colorizeParameter(),
 	};
 	filter.run = run;

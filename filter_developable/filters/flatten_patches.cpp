@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flatten_patches.cpp: the filter Flatten Patches.
 #include "../map_output.h"
+#include "../material_verdict.h"
+#include "../materials.h"
 #include "../pattern_layer.h"
 #include "../shared_parameters.h"
 #include "../vertex_data.h"
@@ -76,18 +78,22 @@ void logSeams(const FilterCall& call, const std::vector<Seam>& seams) {
 /// Writes both maps to the model and to the patterns, and shows the chosen one on both.
 void writeMaps(FilterCall& call, Layer& patternLayer, const PatchAssembly& assembly,
 			   const FlatPatterns& patterns) {
-	const Map maps[] = {Map::EdgeStrain, Map::ElasticEnergy}; // as the parameter has them
+	const std::pair<Map, const Eigen::VectorXd*> maps[] = {// as the parameter has them
+														   {Map::EdgeStrain, &patterns.edgeStrain},
+														   {Map::ElasticEnergy, &patterns.elasticEnergy},
+														   {Map::Stretch, &patterns.stretch},
+														   {Map::Compression, &patterns.compression}};
 	FilterCall onPatterns{patternLayer, call.values, call.progress, [](const std::string&) {}, call.addLayer};
 	const PatchAssembly patternVertices = verticesOf(patterns);
-	for (const int i : {0, 1}) {
-		const Eigen::VectorXd& values = i == 0 ? patterns.edgeStrain : patterns.elasticEnergy;
-		const Eigen::VectorXd placeValues = largestAtPlaces(assembly, patterns, values);
-		writeMap(call, assembly, maps[i], placeValues);
-		writeMap(onPatterns, patternVertices, maps[i], values);
-		if (i != call.values.integer("map"))
+	int number = 0;
+	for (const auto& [map, values] : maps) {
+		const Eigen::VectorXd placeValues = largestAtPlaces(assembly, patterns, *values);
+		writeMap(call, assembly, map, placeValues);
+		writeMap(onPatterns, patternVertices, map, *values);
+		if (number++ != call.values.integer("map"))
 			continue;
-		showMap(call, assembly, maps[i], placeValues);
-		showMap(onPatterns, patternVertices, maps[i], values);
+		showMap(call, assembly, map, placeValues);
+		showMap(onPatterns, patternVertices, map, *values);
 	}
 }
 
@@ -96,6 +102,8 @@ Results run(FilterCall& call) {
 	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
 	FlattenOptions options;
 	options.gap = call.values.number("gap");
+	options.bounds = strainBounds(call.values);
+	options.grain = call.values.choice<Grain>("grain");
 	FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions, options, call.progress);
 	if (patterns.report.stopped) {
 		call.log("stopped by the user: nothing was changed");
@@ -122,7 +130,7 @@ Results run(FilterCall& call) {
 						  ? "; " + std::to_string(report.overlappingPieces) + " overlap"
 						  : ""));
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-	return {
+	Results results = {
 		{"pieces", report.pieces, ""},
 		{"max_edge_strain", report.maxEdgeStrain, ""},
 		{"mean_edge_strain", report.meanEdgeStrain, ""},
@@ -130,8 +138,10 @@ Results run(FilterCall& call) {
 		{"max_seam_mismatch", report.maxSeamMismatch, ""},
 		{"overlapping_pieces", report.overlappingPieces, ""},
 		{"flipped_faces", report.flippedFaces, ""},
-		{"seconds", elapsed.count(), ""},
 	};
+	addStrains(results, report);
+	results.push_back({"seconds", elapsed.count(), ""});
+	return results;
 }
 
 } // namespace
@@ -157,24 +167,26 @@ FilterDescription patchFlattening() {
 		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
 		"Fig. 1; <i>R. Sawhney, K. Crane</i>, <b>Boundary First Flattening</b>, ACM Transactions on Graphics "
 		"37, 2017, for where the flattening starts.";
-	filter.parameters = {
-		patchesParameter(),
-		weldDistanceParameter(),
-		onlySelectedParameter(),
+	filter.parameters = {patchesParameter(), weldDistanceParameter(), onlySelectedParameter()};
+	for (const Parameter& parameter : materialParameters())
+		filter.parameters.push_back(parameter);
+	const Parameter own[] = {
 		automaticLength(
 			"gap", "Gap",
 			"How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box. Any "
 			"negative number means that."),
 		enumeration(
-			"map", {"Edge strain", "Elastic energy"}, 0, "Map",
+			"map", {"Edge strain", "Elastic energy", "Stretch", "Compression"}, 0, "Map",
 			"What is written to the vertex quality of the model and of the patterns. It is the greatest strain "
-			"of the edges at a vertex, or half of the energy of these edges (Fig. 1)."),
+			"of the edges at a vertex, half of the energy of these edges (Fig. 1), or the greatest stretch or "
+			"compression of the triangles at a vertex."),
 		boolParameter(
 			"write_texture_coordinates", false, "Write texture coordinates",
 			"Write the patterns to the model too, as texture coordinates of its face corners, scaled "
 			"to fit the unit square."),
 		colorizeParameter(),
 	};
+	filter.parameters.insert(filter.parameters.end(), std::begin(own), std::end(own));
 	filter.run = run;
 	return filter;
 }

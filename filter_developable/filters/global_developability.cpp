@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // global_developability.cpp: the filter Global Developability (Section 4).
+#include "../material_verdict.h"
+#include "../materials.h"
 #include "../optimize_layer.h"
 #include "../shared_parameters.h"
 #include "filters.h"
 
+#include "developable/bounded_strain/bounded_strain.h"
 #include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
 #include "developable/penalty/penalty_method.h"
@@ -56,16 +59,32 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	return constrainedNewton(assembly, positions, options, progress);
 }
 
+/// As near as the material lets the shape stay.
+OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAssembly& assembly,
+									Positions& positions, const Progress& progress) {
+	BoundedStrainOptions options;
+	options.bounds = strainBounds(values);
+	options.grain = values.choice<Grain>("grain");
+	options.maxIterations = values.integer("max_iterations");
+	options.smoothness = values.number("smoothness");
+	return boundedStrain(assembly, positions, options, progress);
+}
+
 Results run(FilterCall& call) {
 	const ParameterValues& values = call.values;
 	const bool newton = values.choice<Solver>("solver") == Solver::ConstrainedNewton;
+	const bool strained = newton && strainBounds(values).any();
 	const Method method = [&](const PatchAssembly& assembly, Positions& positions, const Progress& progress) {
+		if (strained)
+			return runBoundedStrain(values, assembly, positions, progress);
 		return newton ? runConstrainedNewton(values, assembly, positions, progress)
 					  : runConjugateGradient(values, assembly, positions, progress);
 	};
 	Optimized optimized = optimizeLayer(call, method);
 	optimized.results.push_back(
 		{"max_border_angle", borderAngles(optimized.assembly, optimized.positions).maxCoeff(), ""});
+	judgeMaterial(call, optimized.assembly, optimized.positions, optimized.results);
+	judgeBending(call, optimized.assembly, optimized.positions);
 	return optimized.results;
 }
 
@@ -84,7 +103,7 @@ Parameter positiveAngleTolerance() {
 }
 
 std::vector<Parameter> parameters() {
-	return {
+	std::vector<Parameter> all = {
 		enumeration(
 			"solver", solverNames(), 0, "Solver",
 			"How the shape is found: by Newton steps all the way to developable, or as in the paper. The steps "
@@ -124,9 +143,13 @@ std::vector<Parameter> parameters() {
 				"max_displacement", "Largest displacement",
 				"no vertex ends farther than this from where it was; -1 means 15 % of its part's diagonal. "
 				"A part is what shares vertices or is sewn together; any negative number means that.")),
-		mapParameter(Map::Displacement),
-		colorizeParameter(),
 	};
+	for (const Parameter& parameter : materialParameters())
+		all.push_back(onlyFor(Solver::ConstrainedNewton, parameter));
+	all.push_back(onlyFor(Solver::ConstrainedNewton, thicknessParameter()));
+	all.push_back(mapParameter(Map::Displacement));
+	all.push_back(colorizeParameter());
+	return all;
 }
 
 } // namespace

@@ -20,6 +20,7 @@ from meshlab_developable.methods import Developed, Measured
 from meshlab_developable.panels import panel_reports
 from meshlab_developable.plugin import load
 from meshlab_developable.reports import (
+    GlobalReport,
     LocalReport,
     Measures,
     OptimizationReport,
@@ -37,6 +38,7 @@ __all__ = [
     "Developed",
     "FilterError",
     "FlatteningResult",
+    "GlobalReport",
     "InvalidMeshError",
     "InvalidParameterError",
     "LocalReport",

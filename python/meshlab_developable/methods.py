@@ -16,10 +16,10 @@ from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import GLOBAL, LOCAL, MAPS, Filter
 from meshlab_developable.mesh_sets import Array, IndexArray, Source
 from meshlab_developable.panels import panel_reports
-from meshlab_developable.reports import LocalReport, Measures, OptimizationReport
+from meshlab_developable.reports import GlobalReport, LocalReport, Measures, OptimizationReport
 
 METHODS: dict[str, tuple[Filter, type[OptimizationReport]]] = {
-    "global": (GLOBAL, OptimizationReport),
+    "global": (GLOBAL, GlobalReport),
     "local": (LOCAL, LocalReport),
 }
 
@@ -39,7 +39,7 @@ class Developed:
     vertices: Array  # n x 3, in the order given
     faces: IndexArray  # m x 3, in the order given
     quality: Array  # n, the chosen map
-    report: OptimizationReport  # for the local method a LocalReport
+    report: OptimizationReport  # a GlobalReport or a LocalReport
 
 
 def measure(

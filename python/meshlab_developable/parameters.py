@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from meshlab_developable import materials
 from meshlab_developable.errors import InvalidParameterError
 
 LARGEST_INTEGER = 2**31 - 1  # that hosts take
@@ -151,7 +152,9 @@ class Choice(Kind):
             return value
         if _is_integer(value) and 0 <= value < len(self.texts):
             return self.texts[int(value)]
-        raise ValueError(f"must be one of {', '.join(map(repr, self.texts))}")
+        near = difflib.get_close_matches(str(value).title(), self.texts, n=1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise ValueError(f"must be one of {', '.join(map(repr, self.texts))}{hint}")
 
     def parse(self, text: str) -> str:
         """In any case; or the index."""
@@ -167,6 +170,19 @@ class Choice(Kind):
             "enum_cardinality": str(len(self.texts)),
             **{f"enum_val{index}": text for index, text in enumerate(self.texts)},
         }
+
+
+@dataclasses.dataclass(frozen=True)
+class Material(Choice):
+    """One of the plugin's materials, or one of an own file: `FILE.json#NAME`."""
+
+    def check(self, value: Any) -> str:
+        """A name, its index, or a file's path as it is."""
+        return str(value) if ".json" in str(value) else super().check(value)
+
+    def parse(self, text: str) -> str:
+        """A name in any case, the index, or a path."""
+        return text if ".json" in text else super().parse(text)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -225,6 +241,8 @@ class Filter:
         plain = {
             name: _convert(name, value, self.parameter(name).kind.check) for name, value in values.items()
         }
+        if "material" in plain:
+            plain = materials.resolved(plain)
         self._check_for_solver(plain)
         return plain
 

@@ -133,6 +133,14 @@ def _filled_in(text: str, values: Mapping[str, Any]) -> str:
 
 
 @dataclasses.dataclass(frozen=True)
+class GlobalReport(OptimizationReport):
+    """What the global methods add."""
+
+    max_stretch: float  # of the result's pattern, per cent; -1 where it can't be laid flat
+    max_compression: float
+
+
+@dataclasses.dataclass(frozen=True)
 class LocalReport(OptimizationReport):
     """What the local method adds."""
 
@@ -153,4 +161,6 @@ class PatternReport(_Report):
     max_seam_mismatch: float  # length
     overlapping_pieces: int  # with themselves or another
     flipped_faces: int
+    max_stretch: float  # per cent
+    max_compression: float
     seconds: float

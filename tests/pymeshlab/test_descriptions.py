@@ -30,6 +30,17 @@ FIX_BOUNDARY = ("fix_boundary", "RichBool", "false", ())
 FIX_SELECTED = ("fix_selected", "RichBool", "false", ())
 ANGLE_TOLERANCE = ("angle_tolerance", "RichFloat", "0.0001", ())
 MAP = ("map", "RichEnum", "0", SEVEN_MAPS)
+MATERIAL = (
+    (
+        "material",
+        "RichEnum",
+        "0",
+        ("Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"),
+    ),
+    ("allowed_stretch", "RichFloat", "-1", ()),
+    ("allowed_compression", "RichFloat", "-1", ()),
+    ("grain", "RichEnum", "0", ("Longest seam", "X axis", "Y axis", "Z axis")),
+)
 COLORIZE = ("colorize", "RichBool", "true", ())
 
 PARAMETERS = {
@@ -45,6 +56,8 @@ PARAMETERS = {
         ("max_iterations", "RichInt", "200", ()),
         ("relative_change", "RichFloat", "0.0001", ()),
         ("smoothness", "RichFloat", "3e-06", ()),
+        *MATERIAL,
+        ("thickness", "RichAbsPerc", "0", ()),
         MAP,
         COLORIZE,
     ),
@@ -67,7 +80,7 @@ PARAMETERS = {
         PATCHES,
         WELD,
         ANGLE_TOLERANCE,
-        ("map", "RichEnum", "0", (*SEVEN_MAPS, "Elastic energy")),
+        ("map", "RichEnum", "0", (*SEVEN_MAPS, "Elastic energy", "Bending radius")),
         ("reference", "RichMesh", "0", ()),
         COLORIZE,
     ),

@@ -83,4 +83,6 @@ def test_reasons_have_the_numbers_of_the_interface():
         "UNSOLVABLE": 4,
         "TOO_FAR": 5,
         "NEARLY_THERE": 6,
+        "BEYOND_BOUNDS": 7,
+        "WITHIN_BOUNDS": 8,
     }

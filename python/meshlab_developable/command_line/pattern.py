@@ -157,15 +157,16 @@ def _question_of_unit(mesh: Path) -> str:
     type=float,
     help="Pieces with an edge whose length changes by more, in per cent, are refused.  [default: 5]",
 )
-@shared.filter_options(FLATTEN, without=["gap", "map", "write_texture_coordinates", "colorize"])
+@shared.filter_options(FLATTEN, without=["gap", "grain", "map", "write_texture_coordinates", "colorize"])
 @shared.json_option
 def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options: Any) -> None:
     """Write panels, laid flat at true size, as patterns to print, cut and sew.
 
     SVG, PDF (whole sheets, and tiles for an office printer), DXF for garment CAD (ASTM D6673, AAMA), and JSON
     that says which edge is sewn to which. Pieces have a seam allowance, notches and letters that match along
-    seams, a name and a grain line. Make the panels developable first (`developable global`): what can't be
-    laid flat is stretched here and there, and refused beyond 5 %. Nothing is written when something is wrong.
+    seams, a name and a grain line. Make the panels developable first (`developable global`, with the same
+    material): what can't be laid flat is stretched here and there, and refused beyond 5 %, or what its
+    material bears. Nothing is written when something is wrong.
 
     \b
     Examples:

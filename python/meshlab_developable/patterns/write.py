@@ -12,6 +12,7 @@ from typing import Any
 import numpy.typing as npt
 import shapely
 
+from meshlab_developable import materials
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.mesh_sets import Source
@@ -60,7 +61,8 @@ def make_patterns(
 
     Vertices, faces and parameters are those of `flatten` and of `PatternOptions`: `unit` (of the mesh: "mm",
     "cm", "dm", "m", "in", "ft", or how many millimetres it is), `seam_allowance`, `notch_spacing` and `gap`
-    (mm), `grain` (a direction on the model that runs upright), `sheet` (mm x mm, or a paper's name), `turns`
+    (mm), `grain` (a direction on the model that runs upright, along which the warp of a directed `material`
+    lies), `sheet` (mm x mm, or a paper's name), `turns`
     ("none", "half", "free"), `page` (of the PDF in tiles), `formats`, `piece_names`, `internal_lines` (to
     be drawn, each k x 3, vertices of the mesh along its edges), `outline` ("fair": smooth lines between
     corners, no farther than `outline_tolerance`, mm, from the mesh's vertices; "exact": the mesh's own) and
@@ -73,7 +75,11 @@ def make_patterns(
 
     Raises PatternError, InvalidParameterError, and what `flatten` raises.
     """
-    options = PatternOptions(**{key: parameters.pop(key) for key in OPTIONS if key in parameters})
+    given = {key: parameters.pop(key) for key in OPTIONS if key in parameters}
+    given.setdefault("max_strain", max(PatternOptions.max_strain, materials.greatest_bound(parameters)))
+    options = PatternOptions(**given)
+    if options.grain is not None:
+        parameters["grain"] = materials.grain_along(options.grain, parameters.get("material", "Custom"))
     flat = flatten(vertices, faces, **parameters)
     wide = wide_overlaps(flat, options.millimetres)
     if not wide or parameters.get("only_selected") is not None:

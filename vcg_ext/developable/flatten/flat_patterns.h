@@ -2,6 +2,7 @@
 // flat_patterns.h: patches laid flat, as patterns to cut and sew, and what there is to say about them.
 #pragma once
 
+#include "developable/material/material.h"
 #include "developable/mesh/mesh.h"
 
 #include <array>
@@ -28,6 +29,11 @@ struct FlatPiece {
 	double maxEdgeStrain = 0;
 	double meanEdgeStrain = 0;
 	double elasticEnergy = 0; ///< length²
+	double maxStretch = 0;    ///< see FlattenReport
+	double maxCompression = 0;
+	double beyondBounds = 0; ///< by how much a strain is beyond its bound, at most; 0: all are within
+	int worstTriangle = -1;  ///< where that is
+	std::array<int, 2> longestSide = {-1, -1}; ///< the ends of its longest seam, or side if it has none
 	int flippedFaces = 0;
 	bool overlapping = false; ///< with itself or another piece
 	bool converged = false;
@@ -41,6 +47,9 @@ struct FlattenReport {
 	double meanEdgeStrain = 0;
 	double elasticEnergy = 0;   ///< Σ (flattened length − length)², length²
 	double maxSeamMismatch = 0; ///< length
+	double maxStretch = 0; ///< the greatest σ1 − 1 of the maps from pattern to model, 0 where none is above 1
+	double maxCompression = 0; ///< the greatest 1 − σ2 alike
+	double beyondBounds = 0;   ///< of the pieces' the greatest
 	int overlappingPieces = 0;
 	int flippedFaces = 0;
 	bool stopped = false;           ///< by the user: there are no patterns
@@ -56,6 +65,10 @@ struct FlatPatterns {
 	std::vector<int> pieceOfVertex;
 	Eigen::VectorXd edgeStrain;    ///< per vertex, the greatest of its edges
 	Eigen::VectorXd elasticEnergy; ///< per vertex, half of that of each of its edges (Fig. 1), length²
+	Eigen::VectorXd stretch;       ///< per vertex, the greatest of its triangles; see FlattenReport
+	Eigen::VectorXd compression;   ///< alike
+	StrainBounds bounds;           ///< that the patterns were made for
+	Grain grain = Grain::LongestSeam;
 	std::vector<FlatPiece> pieces;
 	std::vector<Seam> seams;
 	FlattenReport report;

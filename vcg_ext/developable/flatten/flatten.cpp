@@ -13,14 +13,16 @@ FlatPatterns flattenPatches(const PatchAssembly& assembly, const Positions& posi
 	if (!std::isfinite(options.gap))
 		throw InvalidParameter(
 			"The gap between pieces is not a number: choose a length, or -1 for the default.");
+	requireValid(options.bounds);
 	requireOpenPatches(assembly);
 	requireOrientablePatches(assembly);
 	detail::PatternMaker maker(assembly, positions);
-	if (!maker.flattenPanels(options.iterations, progress)) {
+	if (!maker.flattenPanels(options.iterations, options.bounds.any(), progress)) {
 		FlatPatterns none;
 		none.report.stopped = true;
 		return none;
 	}
+	maker.keepWithin(options.bounds, options.grain);
 	return maker.makePatterns(options.gap);
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "flat_patterns.h"
+#include "grain_directions.h"
 #include "pattern_measures.h"
 #include "seams.h"
 
@@ -17,6 +18,10 @@ namespace developable {
 struct FlattenOptions {
 	double gap = -1;      ///< between the pieces' boxes, length; −1: 2 % of the diagonal of the largest
 	int iterations = 400; ///< at most, for each piece; it takes 4 to 10 unless a panel folds
+	/// What the material bears from the pattern to the model. Where that is nothing at all, edges keep their
+	/// lengths as nearly as they can, whatever strain that leaves.
+	StrainBounds bounds = {};
+	Grain grain = Grain::LongestSeam; ///< of directed bounds
 };
 
 /// Lays every patch flat: from the minimum of Σ (flattened length − length)² over its edges (Eq. 7) without
@@ -26,12 +31,16 @@ struct FlattenOptions {
 /// the mean edge strain fourfold. Pieces show their outside (where most of a patch's area faces), are never
 /// mirrored, stand upright by their longest seam and lie side by side at the model's scale.
 ///
+/// With bounds, the layout is the one of least Σ (flattened length − length)² among those whose triangles all
+/// are within them, to 1e-4 of strain; where no such layout was found, one that exceeds them little, and a
+/// note says where.
+///
 /// \param positions  3 x places
 /// \return           one piece per patch, measured; when the user asked for a stop, nothing but a report that
 ///                   says so
 ///
 /// \throws ClosedPatch, NonOrientablePatch, PatchWithHandles  for patches that can't be flat; say how many
-/// \throws InvalidParameter  when the gap is not a number or infinite
+/// \throws InvalidParameter  when the gap is not a number or infinite, or bounds are none (see requireValid)
 FlatPatterns flattenPatches(const PatchAssembly& assembly, const Positions& positions,
 							const FlattenOptions& options = {}, const Progress& progress = {});
 

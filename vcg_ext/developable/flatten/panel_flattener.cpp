@@ -21,8 +21,9 @@ public:
 	/// A hole is cut open when that lowers the mean edge strain by more than this factor.
 	static constexpr double worthOfCut = 4;
 
-	PanelFlattener(const PanelMesh& panel, int iterations, const Progress& progress)
-		: panel_(panel), loops_(boundaryLoops(panel)), iterations_(iterations), progress_(progress) {}
+	PanelFlattener(const PanelMesh& panel, int iterations, bool leastSquares, const Progress& progress)
+		: panel_(panel), loops_(boundaryLoops(panel)), iterations_(iterations), leastSquares_(leastSquares),
+		  progress_(progress) {}
 
 	FlatPanel flatten() const {
 		if (loops_.size() == 1)
@@ -75,7 +76,7 @@ private:
 		PlaneSprings springs(mesh);
 		FlipFreeNewton newton(springs, flat.positions);
 		flat.minimum = newton.minimize(iterations_, progress_);
-		if (flat.minimum.converged)
+		if (flat.minimum.converged && !leastSquares_)
 			newton.lessenMeanStrain();
 		return flat;
 	}
@@ -83,6 +84,7 @@ private:
 	const PanelMesh& panel_;
 	std::vector<std::vector<int>> loops_;
 	int iterations_;
+	bool leastSquares_;
 	const Progress& progress_;
 };
 
@@ -100,8 +102,8 @@ Eigen::VectorXd edgeStrains(const FlatPanel& panel) {
 	return Eigen::Map<Eigen::VectorXd>(strains.data(), strains.size());
 }
 
-FlatPanel flattenPanel(const PanelMesh& panel, int iterations, const Progress& progress) {
-	return PanelFlattener(panel, iterations, progress).flatten();
+FlatPanel flattenPanel(const PanelMesh& panel, int iterations, bool leastSquares, const Progress& progress) {
+	return PanelFlattener(panel, iterations, leastSquares, progress).flatten();
 }
 
 } // namespace developable::detail

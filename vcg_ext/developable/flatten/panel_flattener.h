@@ -20,6 +20,7 @@ Eigen::VectorXd edgeStrains(const FlatPanel& panel);
 
 /// Lays a panel flat, uncut if it is a disk; see flattenPatches for when it is cut.
 /// \param iterations  at most, for each layout that is tried
-FlatPanel flattenPanel(const PanelMesh& panel, int iterations, const Progress& progress);
+/// \param leastSquares  whether the minimum itself is asked for, not a layout near it with less mean strain
+FlatPanel flattenPanel(const PanelMesh& panel, int iterations, bool leastSquares, const Progress& progress);
 
 } // namespace developable::detail

@@ -2,9 +2,9 @@
 // pattern_layout.cpp: the longest side of each piece, which goes upright, and the rows that pieces lie in.
 #include "pattern_layout.h"
 
+#include "grain_directions.h"
 #include "seams.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -85,46 +85,46 @@ void offerSidesBetweenCorners(const FlatPatterns& patterns, const std::vector<in
 	}
 }
 
-/// The direction in which a piece without sides, round all about, is longest.
-Eigen::Vector2d principalDirection(const Eigen::Matrix2Xd& points) {
-	const Eigen::Matrix2Xd centred = points.colwise() - points.rowwise().mean().eval();
-	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(centred * centred.transpose());
-	const Eigen::Vector2d direction = eigen.eigenvectors().col(1);
-	return direction[1] < 0 ? -direction : direction;
-}
-
 /// Which direction of a piece is to be upright: along its longest side, the way up that it has on the model.
-Eigen::Vector2d uprightDirection(const FlatPatterns& patterns, const BoundarySide& side,
+Eigen::Vector2d uprightDirection(const FlatPatterns& patterns, const std::array<int, 2>& side,
 								 const Positions& model, const Eigen::Matrix2Xd& points) {
-	if (side.length > 0) {
-		const auto from = [&](const auto& positions, int start, int end) {
-			return (positions.col(end) - positions.col(start)).eval();
-		};
-		const Eigen::Vector2d chord = from(patterns.positions, side.start, side.end);
-		const Eigen::Vector3d onModel =
-			from(model, patterns.placeOfVertex[side.start], patterns.placeOfVertex[side.end]);
-		if (chord.norm() > 1e-6 * side.length)
-			return (onModel.dot(longestAxis(model)) < 0 ? -1 : 1) * chord.normalized();
-	}
-	return principalDirection(points);
+	if (side[0] < 0)
+		return principalDirection(points);
+	const Eigen::Vector2d chord = patterns.positions.col(side[1]) - patterns.positions.col(side[0]);
+	const Eigen::Vector3d onModel =
+		model.col(patterns.placeOfVertex[side[1]]) - model.col(patterns.placeOfVertex[side[0]]);
+	return (onModel.dot(longestAxis(model)) < 0 ? -1 : 1) * chord.normalized();
 }
 
 } // namespace
 
-void standUpright(const PatchAssembly& assembly, const Positions& model, FlatPatterns& patterns,
-				  const std::vector<std::vector<int>>& outerLoops, const std::vector<int>& firstVertex) {
+std::vector<std::array<int, 2>> longestSides(const PatchAssembly& assembly, const FlatPatterns& patterns,
+											 const std::vector<std::vector<int>>& outerLoops) {
 	const int pieceCount = static_cast<int>(outerLoops.size());
 	LongestSides bySeams(pieceCount), byCorners(pieceCount);
 	for (const Seam& seam : findSeams(assembly, patterns))
 		for (const int side : {0, 1})
 			bySeams.offer(seam.piece[side], ends(patterns, seam.halfEdges[side]));
+	std::vector<std::array<int, 2>> result(pieceCount, {-1, -1});
 	for (int piece = 0; piece < pieceCount; ++piece) {
 		offerSidesBetweenCorners(patterns, outerLoops[piece], byCorners);
 		const BoundarySide& seam = bySeams.sides()[piece];
+		const BoundarySide& side = seam.length > 0 ? seam : byCorners.sides()[piece];
+		if (!(side.length > 0))
+			continue;
+		const double chord = (patterns.positions.col(side.end) - patterns.positions.col(side.start)).norm();
+		if (chord > 1e-6 * side.length)
+			result[piece] = {side.start, side.end};
+	}
+	return result;
+}
+
+void standUpright(const Positions& model, FlatPatterns& patterns,
+				  const std::vector<std::array<int, 2>>& longestSides, const std::vector<int>& firstVertex) {
+	for (std::size_t piece = 0; piece < longestSides.size(); ++piece) {
 		auto points =
 			patterns.positions.middleCols(firstVertex[piece], firstVertex[piece + 1] - firstVertex[piece]);
-		const Eigen::Vector2d up =
-			uprightDirection(patterns, seam.length > 0 ? seam : byCorners.sides()[piece], model, points);
+		const Eigen::Vector2d up = uprightDirection(patterns, longestSides[piece], model, points);
 		Eigen::Matrix2d rotation;
 		rotation << up[1], -up[0], up[0], up[1];
 		points = (rotation * points).eval();

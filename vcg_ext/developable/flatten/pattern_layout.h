@@ -6,12 +6,17 @@
 
 namespace developable::detail {
 
-/// Turns every piece so that its longest seam, or its longest side when it has no seams, stands upright.
+/// Per piece the ends of its longest seam, or of its longest side between corners where it has no seams; -1
+/// where it has neither.
+/// \param outerLoops  per piece the vertices round it
+std::vector<std::array<int, 2>> longestSides(const PatchAssembly& assembly, const FlatPatterns& patterns,
+											 const std::vector<std::vector<int>>& outerLoops);
+
+/// Turns every piece so that its longest side stands upright.
 /// \param model        3 x places
-/// \param outerLoops   per piece the vertices round it
 /// \param firstVertex  pieces + 1, where the vertices of each begin
-void standUpright(const PatchAssembly& assembly, const Positions& model, FlatPatterns& patterns,
-				  const std::vector<std::vector<int>>& outerLoops, const std::vector<int>& firstVertex);
+void standUpright(const Positions& model, FlatPatterns& patterns,
+				  const std::vector<std::array<int, 2>>& longestSides, const std::vector<int>& firstVertex);
 
 /// Lays pieces in rows, none in another's box.
 /// \param firstVertex  pieces + 1, where the vertices of each begin

@@ -2,6 +2,7 @@
 // pattern_maker.cpp: panels flattened one by one, and their vertices numbered anew in the patterns.
 #include "pattern_maker.h"
 
+#include "bounded_layout.h"
 #include "pattern_layout.h"
 #include "pattern_measures.h"
 
@@ -35,12 +36,12 @@ void PatternMaker::requireNoHandles() const {
 			"(see the parameter 'patches').");
 }
 
-bool PatternMaker::flattenPanels(int iterations, const Progress& progress) {
+bool PatternMaker::flattenPanels(int iterations, bool leastSquares, const Progress& progress) {
 	double done = 0;
 	for (int piece = 0; piece < assembly_.patchCount(); ++piece) {
 		const double share = double(assembly_.patches[piece].triangles) / assembly_.triangleCount();
 		const Progress panelProgress = partOf(progress, done, done + share);
-		flat_.push_back(flattenPanel(panels_[piece], iterations, panelProgress));
+		flat_.push_back(flattenPanel(panels_[piece], iterations, leastSquares, panelProgress));
 		if (flat_.back().minimum.stopped)
 			return false;
 		done += share;
@@ -48,15 +49,43 @@ bool PatternMaker::flattenPanels(int iterations, const Progress& progress) {
 	return true;
 }
 
+void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain) {
+	patterns_.bounds = bounds;
+	patterns_.grain = grain;
+	if (!bounds.any())
+		return;
+	joinPanels();
+	const auto sides = longestSides(assembly_, patterns_, outerLoops());
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		flat_[piece].positions = boundedLayout(flat_[piece].mesh, flat_[piece].positions, bounds, grain,
+											   panelVertices(piece, sides[piece]));
+}
+
+std::array<int, 2> PatternMaker::panelVertices(int piece, const std::array<int, 2>& patternVertices) const {
+	std::array<int, 2> result = {-1, -1};
+	for (int vertex = 0; vertex < flat_[piece].mesh.vertexCount(); ++vertex)
+		for (const int end : {0, 1})
+			if (patternVertex(piece, vertex) == patternVertices[end])
+				result[end] = vertex;
+	return result;
+}
+
+std::vector<std::vector<int>> PatternMaker::outerLoops() const {
+	std::vector<std::vector<int>> loops;
+	loops.reserve(assembly_.patchCount());
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		loops.push_back(outerLoop(piece));
+	return loops;
+}
+
 FlatPatterns PatternMaker::makePatterns(double gap) {
 	joinPanels();
-	std::vector<std::vector<int>> outerLoops;
-	outerLoops.reserve(assembly_.patchCount());
-	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
-		outerLoops.push_back(outerLoop(piece));
-	standUpright(assembly_, positions_, patterns_, outerLoops, firstVertex_);
+	const auto sides = longestSides(assembly_, patterns_, outerLoops());
+	standUpright(positions_, patterns_, sides, firstVertex_);
 	laySideBySide(patterns_, firstVertex_, gap);
 	describePieces();
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		patterns_.pieces[piece].longestSide = sides[piece];
 	measurePatterns(assembly_, positions_, patterns_);
 	return std::move(patterns_);
 }

@@ -17,8 +17,12 @@ public:
 	PatternMaker(const PatchAssembly& assembly, const Positions& positions);
 
 	/// \param iterations  at most, for each panel
+	/// \param leastSquares  see flattenPanel
 	/// \return            false when the user asked for a stop
-	bool flattenPanels(int iterations, const Progress& progress);
+	bool flattenPanels(int iterations, bool leastSquares, const Progress& progress);
+
+	/// After the panels are flat: brings their triangles within the bounds, if there are any.
+	void keepWithin(const StrainBounds& bounds, Grain grain);
 
 	/// Once, after the panels are flat.
 	/// \param gap  see FlattenOptions
@@ -37,6 +41,10 @@ private:
 
 	/// The boundary that encloses the largest area, as vertices of the patterns.
 	std::vector<int> outerLoop(int piece) const;
+
+	/// The vertices of a panel by those of the patterns; -1 stays.
+	std::array<int, 2> panelVertices(int piece, const std::array<int, 2>& patternVertices) const;
+	std::vector<std::vector<int>> outerLoops() const;
 
 	/// What only the making of a piece can tell.
 	void describePieces();

@@ -3,11 +3,14 @@
 #include "pattern_measures.h"
 
 #include "boundary_crossings.h"
+#include "bounded_layout.h"
+#include "grain_directions.h"
 #include "panel_maker.h"
 #include "seams.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <utility>
 
@@ -45,6 +48,33 @@ void measureEdges(const PatchAssembly& assembly, const Positions& model, FlatPat
 		patterns.pieces[piece].meanEdgeStrain /= edges[piece];
 	}
 	report.meanEdgeStrain /= std::accumulate(edges.begin(), edges.end(), 0);
+}
+
+/// Strains of all triangles, and which are beyond the bounds.
+void measureTriangles(const PatchAssembly& assembly, const Positions& model, FlatPatterns& patterns) {
+	patterns.stretch = patterns.compression = Eigen::VectorXd::Zero(patterns.vertexCount());
+	const StrainedTriangles triangles = strainedTriangles(assembly, model, patterns);
+	const Eigen::Matrix2Xd strains = principalStrains(triangles, model, patterns.positions);
+	const Eigen::VectorXd beyond = beyondBounds(assembly, model, patterns);
+	for (FlatPiece& piece : patterns.pieces) {
+		piece.maxStretch = piece.maxCompression = piece.beyondBounds = 0;
+		piece.worstTriangle = -1;
+	}
+	for (int t = 0; t < triangles.count(); ++t) {
+		FlatPiece& piece = patterns.pieces[assembly.patchOfTriangle[t]];
+		const double stretch = std::max(strains(0, t) - 1, 0.0),
+					 compression = std::max(1 - strains(1, t), 0.0);
+		piece.maxStretch = std::max(piece.maxStretch, stretch);
+		piece.maxCompression = std::max(piece.maxCompression, compression);
+		for (const int vertex : patterns.triangles.col(t)) {
+			patterns.stretch[vertex] = std::max(patterns.stretch[vertex], stretch);
+			patterns.compression[vertex] = std::max(patterns.compression[vertex], compression);
+		}
+		if (beyond[t] > piece.beyondBounds) {
+			piece.beyondBounds = beyond[t];
+			piece.worstTriangle = t;
+		}
+	}
 }
 
 void findFlips(const PatchAssembly& assembly, const Positions& model, FlatPatterns& patterns) {
@@ -86,12 +116,27 @@ void addNotes(int number, const FlatPiece& piece, std::vector<std::string>& note
 			 ": it is far from developable.");
 }
 
+/// Which piece is beyond the bounds, where and by how much.
+void addNoteOfBounds(const PatchAssembly& assembly, const Positions& model, int number,
+					 const FlatPiece& piece, std::vector<std::string>& notes) {
+	const Eigen::Vector3d at =
+		model(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
+	char text[240];
+	std::snprintf(
+		text, sizeof text,
+		"Piece %d has no pattern within the allowed strain: the nearest found is beyond it by %.3g %% "
+		"of length, most at (%.6g, %.6g, %.6g).",
+		number + 1, 100 * piece.beyondBounds, at[0], at[1], at[2]);
+	notes.emplace_back(text);
+}
+
 } // namespace
 
 void measurePatterns(const PatchAssembly& assembly, const Positions& model, FlatPatterns& patterns) {
 	patterns.report = {};
 	FlattenReport& report = patterns.report;
 	measureEdges(assembly, model, patterns);
+	measureTriangles(assembly, model, patterns);
 	findFlips(assembly, model, patterns);
 	findOverlaps(assembly, patterns);
 	report.pieces = assembly.patchCount();
@@ -99,9 +144,14 @@ void measurePatterns(const PatchAssembly& assembly, const Positions& model, Flat
 		const FlatPiece& piece = patterns.pieces[number];
 		report.maxEdgeStrain = std::max(report.maxEdgeStrain, piece.maxEdgeStrain);
 		report.elasticEnergy += piece.elasticEnergy;
+		report.maxStretch = std::max(report.maxStretch, piece.maxStretch);
+		report.maxCompression = std::max(report.maxCompression, piece.maxCompression);
+		report.beyondBounds = std::max(report.beyondBounds, piece.beyondBounds);
 		report.flippedFaces += piece.flippedFaces;
 		report.overlappingPieces += piece.overlapping;
 		addNotes(number, piece, report.notes);
+		if (piece.beyondBounds > detail::strainTolerance)
+			addNoteOfBounds(assembly, model, number, piece, report.notes);
 	}
 	patterns.seams = findSeams(assembly, patterns);
 	for (const Seam& seam : patterns.seams)

@@ -15,8 +15,11 @@ enum class Map {
 	MaximumCurvature,
 	Distance,
 	Displacement,
-	ElasticEnergy, ///< of flattening, as all behind it
-	EdgeStrain
+	ElasticEnergy, ///< of flattening, as all behind the next
+	BendingRadius,
+	EdgeStrain,
+	Stretch,
+	Compression
 };
 
 struct MapProperties {
@@ -39,7 +42,10 @@ inline constexpr MapProperties mapProperties[] = {
 	{Map::Distance, "Distance", "distance", "length", 1, false, false},
 	{Map::Displacement, "Displacement", "displacement", "length", 1, false, false},
 	{Map::ElasticEnergy, "Elastic energy", "elastic_energy", "length²", 2, false, true},
+	{Map::BendingRadius, "Bending radius", "bending_radius", "length", 1, false, false},
 	{Map::EdgeStrain, "Edge strain", "edge_strain", "1", 0, false, false},
+	{Map::Stretch, "Stretch", "stretch", "1", 0, false, false},
+	{Map::Compression, "Compression", "compression", "1", 0, false, false},
 };
 
 inline const MapProperties& propertiesOf(Map map) {

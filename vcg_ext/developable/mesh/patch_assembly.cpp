@@ -12,6 +12,10 @@ int PatchAssembly::assemblingPlaceCount() const {
 	return static_cast<int>(std::count(placeAssembling.begin(), placeAssembling.end(), 1));
 }
 
+bool holdsPlaces(const PatchAssembly& assembly) {
+	return std::count(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) > 0;
+}
+
 Eigen::VectorXd edgeLengths(const PatchAssembly& assembly, const Positions& positions) {
 	Eigen::VectorXd lengths(assembly.edgeCount());
 	for (int edge = 0; edge < assembly.edgeCount(); ++edge)

@@ -67,6 +67,9 @@ struct PatchAssembly {
 	int assemblingPlaceCount() const;
 };
 
+/// Whether some place is held still.
+bool holdsPlaces(const PatchAssembly& assembly);
+
 /// The edges' lengths, in the order of edgePlaces.
 Eigen::VectorXd edgeLengths(const PatchAssembly& assembly, const Positions& positions);
 

@@ -48,7 +48,9 @@ enum class Reason {
 	NeedsCut = 3,     ///< so many patches need a cut, and where
 	Unsolvable = 4,   ///< the constrained Newton method stalled at a system without a solution in double
 	TooFar = 5,       ///< a developable shape was found, but farther away than places may go
-	NearlyThere = 6   ///< a cut is needed, but what is left is small
+	NearlyThere = 6,  ///< a cut is needed, but what is left is small
+	BeyondBounds = 7, ///< so many patches have no pattern within their material's bounds, and where
+	WithinBounds = 8  ///< every patch has a pattern within its material's bounds
 };
 
 struct ReasonProperties {
@@ -78,6 +80,10 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	 "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, "
 	 "first of all at ({worst_x}, {worst_y}, {worst_z}); but it is nearly there: laid flat as it is, no edge "
 	 "changes its length by more than {edge_strain_left} %"},
+	{Reason::BeyondBounds, "BEYOND_BOUNDS",
+	 "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} "
+	 "patches, first of all at ({worst_x}, {worst_y}, {worst_z})"},
+	{Reason::WithinBounds, "WITHIN_BOUNDS", "every panel has a pattern within the allowed strain"},
 };
 
 /// How one patch ended.

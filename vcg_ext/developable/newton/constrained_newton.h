@@ -3,6 +3,7 @@
 #pragma once
 
 #include "developable/mesh/mesh.h"
+#include "displacement_metric.h"
 #include "newton_tuning.h"
 
 namespace developable {

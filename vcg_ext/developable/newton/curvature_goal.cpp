@@ -29,10 +29,6 @@ double CurvatureGoal::shareRemoved(double startCurvature, double curvature) cons
 	return whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0;
 }
 
-bool holdsPlaces(const PatchAssembly& assembly) {
-	return std::find(assembly.placeFixed.begin(), assembly.placeFixed.end(), 1) != assembly.placeFixed.end();
-}
-
 bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others,
 			double share) {
 	return detectFunction(defects) < share * detectFunction(others) &&

@@ -32,9 +32,6 @@ struct CurvatureGoal {
 	double shareRemoved(double startCurvature, double curvature) const;
 };
 
-/// Whether some places may not move.
-bool holdsPlaces(const PatchAssembly& assembly);
-
 /// Whether a shape is better than another: less than a share of its G, and less C too unless places are held,
 /// for then the goal is the least squares of g.
 bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others,

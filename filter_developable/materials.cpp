@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// materials.cpp: the table from its text, and bounds from parameters.
+#include "materials.h"
+
+#include "shared_parameters.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace developable::plugin {
+
+namespace {
+
+constexpr double perCent = 0.01;
+constexpr double ofMaterial = -1; ///< a bound that the material decides
+
+/// A number for all directions, or one for each.
+/// \param bound  DirectionBounds::stretch or DirectionBounds::compression
+void readBounds(const QJsonValue& value, double DirectionBounds::*bound, StrainBounds& bounds) {
+	if (!value.isObject()) {
+		for (DirectionBounds* direction : {&bounds.warp, &bounds.weft, &bounds.bias})
+			direction->*bound = perCent * value.toDouble();
+		return;
+	}
+	bounds.directed = true;
+	bounds.warp.*bound = perCent * value.toObject()["warp"].toDouble();
+	bounds.weft.*bound = perCent * value.toObject()["weft"].toDouble();
+	bounds.bias.*bound = perCent * value.toObject()["bias"].toDouble();
+}
+
+std::vector<Material> readMaterials() {
+	std::vector<Material> result;
+	const QJsonDocument document = QJsonDocument::fromJson(materialsText());
+	for (const QJsonValue& value : document.object()["materials"].toArray()) {
+		const QJsonObject entry = value.toObject();
+		Material material;
+		material.name = entry["name"].toString().toStdString();
+		readBounds(entry["stretch"], &DirectionBounds::stretch, material.bounds);
+		readBounds(entry["compression"], &DirectionBounds::compression, material.bounds);
+		material.elasticStrain = perCent * entry["elastic_strain"].toDouble();
+		material.source = entry["source"].toString().toStdString();
+		result.push_back(material);
+	}
+	return result;
+}
+
+/// A bound that is asked for holds in every direction.
+void setBound(const ParameterValues& values, const char* name, double DirectionBounds::*bound,
+			  StrainBounds& bounds) {
+	const double value = values.number(name);
+	if (value == ofMaterial)
+		return;
+	requireOption(value >= 0, std::string("The parameter '") + name +
+								  "' is negative: choose 0 or more, or -1 for what the material bears.");
+	for (DirectionBounds* direction : {&bounds.warp, &bounds.weft, &bounds.bias})
+		direction->*bound = perCent * value;
+}
+
+} // namespace
+
+const std::vector<Material>& materials() {
+	static const std::vector<Material> all = readMaterials();
+	return all;
+}
+
+std::vector<Parameter> materialParameters() {
+	std::vector<std::string> names;
+	for (const Material& material : materials())
+		names.push_back(material.name);
+	return {
+		enumeration("material", names, 0, "Material",
+					"What the panels are made of, which says how far they may be stretched and compressed. "
+					"docs/materials.md says where the numbers come from."),
+		floatParameter(
+			"allowed_stretch", ofMaterial, {ofMaterial, false, 1000}, "%", "Allowed stretch",
+			"How much longer the material may be on the shape than in the pattern; -1 is what it bears. "
+			"That is 0 for Custom, the method of zero strain."),
+		floatParameter(
+			"allowed_compression", ofMaterial, {ofMaterial, false, 100}, "%", "Allowed compression",
+			"How much shorter the material may be on the shape than in the pattern; -1 is what it bears. "
+			"That is 0 for Custom, the method of zero strain."),
+		enumeration("grain", {"Longest seam", "X axis", "Y axis", "Z axis"}, 0, "Grain",
+					"Which way the grain, the warp of a cloth, runs in every panel. It matters for materials "
+					"that bear more in one direction than in another."),
+	};
+}
+
+Parameter thicknessParameter() {
+	return lengthParameter(
+		"thickness", 0, "Thickness",
+		"How thick the material is, in the mesh's unit; 0 means that bending is not judged. "
+		"Else the log says how much of the area is bent more tightly than it bears.");
+}
+
+const Material& chosenMaterial(const ParameterValues& values) {
+	return materials()[std::size_t(values.integer("material"))];
+}
+
+StrainBounds strainBounds(const ParameterValues& values) {
+	StrainBounds bounds = chosenMaterial(values).bounds;
+	setBound(values, "allowed_stretch", &DirectionBounds::stretch, bounds);
+	setBound(values, "allowed_compression", &DirectionBounds::compression, bounds);
+	bounds.directed = bounds.directed &&
+					  !(values.number("allowed_stretch") >= 0 && values.number("allowed_compression") >= 0);
+	requireValid(bounds);
+	return bounds;
+}
+
+} // namespace developable::plugin

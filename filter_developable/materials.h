@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// materials.h: the table of materials, materials.json, and what a filter's parameters ask of a material.
+#pragma once
+
+#include "filter_description.h"
+
+#include "developable/material/material.h"
+
+namespace developable::plugin {
+
+/// One entry of the table.
+struct Material {
+	std::string name;
+	StrainBounds bounds;
+	double elasticStrain = 0; ///< of its surface when it is bent without a set, a share; 0: not known
+	std::string source;
+};
+
+/// The file, as it was when the plugin was built.
+const char* materialsText();
+
+/// In the order of the `material` enumeration.
+const std::vector<Material>& materials();
+
+/// `thickness`.
+Parameter thicknessParameter();
+
+/// `material`, `allowed_stretch`, `allowed_compression` and `grain`.
+std::vector<Parameter> materialParameters();
+
+const Material& chosenMaterial(const ParameterValues& values);
+
+/// The material's bounds, or those that were asked for in place of them.
+/// \throws InvalidParameter
+StrainBounds strainBounds(const ParameterValues& values);
+
+} // namespace developable::plugin

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of materials, and files of one's own in its form."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from meshlab_developable import filters, materials
+from meshlab_developable.errors import InvalidParameterError
+
+OWN = {
+    "materials": [
+        {"name": "Our canvas", "stretch": 1.5, "compression": 0.5, "source": "measured in May"},
+        {"name": "Felt", "stretch": 3, "compression": 0, "source": "measured in June"},
+        {"name": "Twill", "stretch": {"warp": 1, "weft": 2, "bias": 3}, "compression": 0, "source": "a book"},
+    ]
+}
+
+
+@pytest.fixture
+def own_file(tmp_path):
+    path = tmp_path / "ours.json"
+    path.write_text(json.dumps(OWN), encoding="utf-8")
+    return path
+
+
+def test_every_material_of_the_dialog_is_in_the_table_with_a_source_and_bounds():
+    table = materials.materials()
+    assert tuple(table) == filters.GLOBAL.parameter("material").kind.texts
+    assert filters.FLATTEN.parameter("material").kind.texts == tuple(table)
+    for entry in table.values():
+        assert len(entry["source"]) > 20
+        for key in ("stretch", "compression"):
+            bounds = entry[key]
+            values = bounds.values() if isinstance(bounds, dict) else [bounds]
+            assert all(0 <= value < 100 for value in values)
+            assert not isinstance(bounds, dict) or set(bounds) == {"warp", "weft", "bias"}
+
+
+def test_an_own_material_gives_its_bounds_and_what_is_given_goes_before(own_file):
+    chosen = filters.GLOBAL.checked({"material": f"{own_file}#Our canvas"})
+    assert chosen == {"material": "Custom", "allowed_stretch": 1.5, "allowed_compression": 0.5}
+    chosen = filters.GLOBAL.checked({"material": f"{own_file}#Felt", "allowed_compression": 2.0})
+    assert chosen == {"material": "Custom", "allowed_stretch": 3.0, "allowed_compression": 2.0}
+
+
+def test_a_file_with_one_material_needs_no_name(tmp_path):
+    path = tmp_path / "one.json"
+    path.write_text(json.dumps({"materials": OWN["materials"][:1]}), encoding="utf-8")
+    assert filters.FLATTEN.checked({"material": str(path)})["allowed_stretch"] == 1.5
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("Our canvass", "did you mean 'Our canvas'"), ("", "it has 'Our canvas'"), ("Twill", "each direction")],
+)
+def test_what_a_file_has_not_is_refused_with_what_it_has(own_file, name, message):
+    with pytest.raises(InvalidParameterError, match=message):
+        filters.GLOBAL.checked({"material": f"{own_file}#{name}"})
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("no json", "is no table of materials"),
+        ('{"materials": [{"stretch": 1}]}', "is no table of materials"),
+        ('{"materials": [{"name": "A", "stretch": 1, "compression": 0}]}', "says no 'source'"),
+        (
+            '{"materials": [{"name": "A", "stretch": -1, "compression": 0, "source": "x"}]}',
+            "must be a number",
+        ),
+        (
+            '{"materials": [{"name": "A", "stretch": "2", "compression": 0, "source": "x"}]}',
+            "must be a number",
+        ),
+        ('{"materials": [{"name": "A", "compression": 0, "source": "x"}]}', "must be a number"),
+    ],
+)
+def test_a_bad_file_is_refused_with_a_sentence(tmp_path, content, message):
+    path = tmp_path / "bad.json"
+    path.write_text(content, encoding="utf-8")
+    with pytest.raises(InvalidParameterError, match=message):
+        filters.GLOBAL.checked({"material": str(path)})
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(InvalidParameterError, match=r"none\.json can't be read"):
+        filters.GLOBAL.checked({"material": str(tmp_path / "none.json")})
+
+
+def test_an_unknown_material_is_refused_with_the_nearest():
+    with pytest.raises(InvalidParameterError, match="did you mean 'Leather'"):
+        filters.GLOBAL.checked({"material": "lether"})
+
+
+def test_the_greatest_bound_is_what_patterns_may_be_strained_by(own_file):
+    assert materials.greatest_bound({}) == 0
+    assert materials.greatest_bound({"material": "Knit"}) == 25
+    assert materials.greatest_bound({"material": "Leather", "allowed_compression": 7.0}) == 7
+    assert materials.greatest_bound({"material": f"{own_file}#Felt"}) == 3
+
+
+def test_the_grain_of_a_directed_material_runs_along_an_axis():
+    assert materials.grain_along((0, -2.0, 0), "Woven cloth") == "Y axis"
+    assert materials.grain_along((1.0, 1.0, 0), "Leather") == "Longest seam"
+    with pytest.raises(InvalidParameterError, match="has to run along x, y or z"):
+        materials.grain_along((1.0, 1.0, 0), "Woven cloth")

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/bounded_strain/bounded_strain.h"
+#include "developable/newton/constrained_newton.h"
+
+#include "spherical_cap.h"
+
+#include <Eigen/SVD>
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+BoundedStrainOptions optionsFor(double stretch, double compression) {
+	BoundedStrainOptions options;
+	options.bounds = StrainBounds::isotropic(stretch, compression);
+	return options;
+}
+
+FlatPatterns patternsOf(const PatchAssembly& assembly, const Positions& positions,
+						const StrainBounds& bounds) {
+	FlattenOptions options;
+	options.bounds = bounds;
+	return flattenPatches(assembly, positions, options);
+}
+
+/// Singular values by Eigen from the triangles of both meshes, and nothing of the library's own.
+Eigen::Array2d extremeStrains(const PatchAssembly& assembly, const Positions& positions,
+							  const FlatPatterns& patterns) {
+	Eigen::Array2d extreme(-1, -1);
+	for (int t = 0; t < assembly.triangleCount(); ++t) {
+		const Eigen::Matrix3d x = positions(Eigen::all, assembly.trianglePlaces.col(t));
+		const Eigen::Matrix<double, 2, 3> u = patterns.positions(Eigen::all, patterns.triangles.col(t));
+		Eigen::Matrix<double, 3, 2> shaped;
+		Eigen::Matrix2d flat;
+		shaped << x.col(1) - x.col(0), x.col(2) - x.col(0);
+		flat << u.col(1) - u.col(0), u.col(2) - u.col(0);
+		const Eigen::MatrixXd map = shaped * flat.inverse();
+		const Eigen::Vector2d values = Eigen::JacobiSVD<Eigen::MatrixXd>(map).singularValues();
+		extreme = extreme.max(Eigen::Array2d(values[0] - 1, 1 - values[1]));
+	}
+	return extreme;
+}
+
+double distance(const PatchAssembly& assembly, const Positions& positions) {
+	const SparseMatrix metric = displacementMetric(assembly, BoundedStrainOptions().smoothness);
+	const Eigen::MatrixXd d = (positions - assembly.originalPositions).transpose();
+	return std::sqrt(d.cwiseProduct(metric.selfadjointView<Eigen::Lower>() * d).sum());
+}
+
+constexpr double capAngle = 0.4;
+constexpr double equalBounds = capAngle * capAngle / 12, oneBound = capAngle * capAngle / 6;
+
+TEST(BoundedStrain, ACapStaysWhereItsMaterialBearsWhatTheSphereAsksFor) {
+	const PatchAssembly assembly = assembled(sphericalCap(capAngle, 8));
+	const double bounds[][2] = {
+		{1.06 * equalBounds, 1.06 * equalBounds}, {1.1 * oneBound, 0}, {0, 1.1 * oneBound}};
+	for (const auto& [stretch, compression] : bounds) {
+		Positions positions = assembly.originalPositions;
+		const BoundedStrainReport report =
+			boundedStrain(assembly, positions, optionsFor(stretch, compression));
+		EXPECT_EQ(report.status, Status::NothingToDo) << stretch << ' ' << compression;
+		EXPECT_TRUE(positions == assembly.originalPositions);
+	}
+}
+
+TEST(BoundedStrain, ACapMovesWhereItBearsLess) {
+	const PatchAssembly assembly = assembled(sphericalCap(capAngle, 8));
+	const double bounds[][2] = {
+		{0.9 * equalBounds, 0.9 * equalBounds}, {0.9 * oneBound, 0}, {0, 0.9 * oneBound}};
+	for (const auto& [stretch, compression] : bounds) {
+		Positions positions = assembly.originalPositions;
+		const BoundedStrainReport report =
+			boundedStrain(assembly, positions, optionsFor(stretch, compression));
+		EXPECT_EQ(report.status, Status::Converged) << stretch << ' ' << compression;
+		EXPECT_GT(distance(assembly, positions), 1e-4);
+		const FlatPatterns patterns =
+			patternsOf(assembly, positions, StrainBounds::isotropic(stretch, compression));
+		const Eigen::Array2d strains = extremeStrains(assembly, positions, patterns);
+		EXPECT_LT(strains[0], stretch + 1e-4);
+		EXPECT_LT(strains[1], compression + 1e-4);
+		EXPECT_NEAR(strains[0], patterns.report.maxStretch, 1e-9);
+		EXPECT_NEAR(strains[1], patterns.report.maxCompression, 1e-9);
+	}
+}
+
+TEST(BoundedStrain, MovesLessTheMoreIsAllowedAndNeverFartherThanToADevelopableShape) {
+	const PatchAssembly assembly = assembled(jitteredGrid(17, 17, sphereCap(1)));
+	Positions developable = assembly.originalPositions;
+	constrainedNewton(assembly, developable, {});
+	double before = distance(assembly, developable);
+	for (const double bound : {0.002, 0.005, 0.01, 0.02}) {
+		Positions positions = assembly.originalPositions;
+		const BoundedStrainReport report = boundedStrain(assembly, positions, optionsFor(bound, bound));
+		EXPECT_TRUE(converged(report.status)) << bound;
+		EXPECT_NEAR(std::sqrt(report.squaredDistance), distance(assembly, positions), 1e-12);
+		EXPECT_LT(distance(assembly, positions), before) << bound;
+		before = distance(assembly, positions);
+	}
+}
+
+TEST(BoundedStrain, ADevelopableSurfaceStaysUnderAnyBound) {
+	const PatchAssembly assembly = assembled(grid(17, 17, quarterCylinder));
+	for (const auto& options : {optionsFor(0.001, 0), optionsFor(0, 0.001), optionsFor(0.05, 0.05)}) {
+		Positions positions = assembly.originalPositions;
+		EXPECT_EQ(boundedStrain(assembly, positions, options).status, Status::NothingToDo);
+		EXPECT_TRUE(positions == assembly.originalPositions);
+	}
+}
+
+TEST(BoundedStrain, SewnPanelsStaySewnAndEachIsWithinItsBounds) {
+	TriangleMesh left = grid(11, 11, largeSaddle), right = left;
+	right.positions.row(0) = 2 - left.positions.row(0).array();
+	right.triangles.row(1).swap(right.triangles.row(2));
+	const PatchAssembly assembly = assembled(together(left, right));
+	ASSERT_EQ(assembly.placeCount(), 2 * 121 - 11);
+	Positions positions = assembly.originalPositions;
+	const StrainBounds bounds = StrainBounds::isotropic(0.03, 0.03);
+	BoundedStrainOptions options;
+	options.bounds = bounds;
+	EXPECT_EQ(boundedStrain(assembly, positions, options).status, Status::Converged);
+	const FlatPatterns patterns = patternsOf(assembly, positions, bounds);
+	ASSERT_EQ(patterns.pieces.size(), 2u);
+	EXPECT_LT(extremeStrains(assembly, positions, patterns).maxCoeff(), 0.03 + 1e-4);
+	ASSERT_EQ(patterns.seams.size(), 1u);
+	EXPECT_LT(patterns.report.maxSeamMismatch, 0.06 * patterns.seams[0].length[0]);
+}
+
+TEST(BoundedStrain, ResultMovesAndScalesWithTheInput) {
+	const TriangleMesh mesh = sphericalCap(0.5, 7);
+	TriangleMesh other = mesh;
+	other.positions = moved(mesh.positions, 20, Eigen::Vector3d(3, -4, 5));
+	const PatchAssembly first = assembled(mesh), second = assembled(other);
+	Positions a = first.originalPositions, b = second.originalPositions;
+	boundedStrain(first, a, optionsFor(0.01, 0.01));
+	boundedStrain(second, b, optionsFor(0.01, 0.01));
+	EXPECT_NEAR(distance(second, b) / (20 * distance(first, a)), 1, 0.01);
+}
+
+TEST(BoundedStrain, HasTheSameBitsOnEveryRun) {
+	const PatchAssembly assembly = assembled(sphericalCap(0.5, 7));
+	Positions results[2] = {assembly.originalPositions, assembly.originalPositions};
+	for (Positions& positions : results)
+		boundedStrain(assembly, positions, optionsFor(0.01, 0.005));
+	EXPECT_TRUE(results[0] == results[1]);
+}
+
+TEST(BoundedStrain, HeldPlacesStay) {
+	TriangleMesh mesh = sphericalCap(0.5, 8);
+	mesh.vertexSelected[0] = mesh.vertexSelected[1] = 1;
+	PatchOptions fixing;
+	fixing.fixSelected = true;
+	const PatchAssembly assembly = assembled(mesh, fixing);
+	Positions positions = assembly.originalPositions;
+	const BoundedStrainReport report = boundedStrain(assembly, positions, optionsFor(0.015, 0.015));
+	EXPECT_EQ(report.status, Status::Converged);
+	for (int place = 0; place < assembly.placeCount(); ++place)
+		if (assembly.placeFixed[place]) {
+			EXPECT_EQ(positions.col(place), assembly.originalPositions.col(place));
+		}
+}
+
+TEST(BoundedStrain, ChangesNothingWhenItIsStoppedOrRefuses) {
+	const PatchAssembly assembly = assembled(sphericalCap(0.5, 7));
+	Positions positions = assembly.originalPositions;
+	int calls = 0;
+	const Progress stopLater = [&](double, const std::string&) { return ++calls < 15; };
+	EXPECT_EQ(boundedStrain(assembly, positions, optionsFor(0.01, 0.01), stopLater).status, Status::Stopped);
+	EXPECT_TRUE(positions == assembly.originalPositions);
+	EXPECT_THROW(boundedStrain(assembly, positions, optionsFor(-1, 0)), InvalidParameter);
+	EXPECT_THROW(boundedStrain(assembly, positions, optionsFor(0, 1)), InvalidParameter);
+	EXPECT_THROW(boundedStrain(assembly, positions, optionsFor(0, 0)), InvalidParameter);
+	const PatchAssembly closed = assembled(octahedron());
+	Positions ofClosed = closed.originalPositions;
+	EXPECT_THROW(boundedStrain(closed, ofClosed, optionsFor(0.1, 0.1)), ClosedPatch);
+	EXPECT_TRUE(positions == assembly.originalPositions);
+	EXPECT_TRUE(ofClosed == closed.originalPositions);
+}
+
+} // namespace
+} // namespace developable::test

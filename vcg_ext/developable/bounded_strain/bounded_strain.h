@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bounded_strain.h: the front door of bounded_strain/: the nearest shape that has a pattern within the bounds
+// of its material.
+#pragma once
+
+#include "developable/flatten/flatten.h"
+#include "developable/material/material.h"
+#include "developable/mesh/mesh.h"
+
+namespace developable {
+
+struct BoundedStrainOptions {
+	StrainBounds bounds;              ///< must allow some strain; without any, see constrainedNewton
+	Grain grain = Grain::LongestSeam; ///< of directed bounds
+	double smoothness = 3e-6;         ///< as in ConstrainedNewtonOptions
+	int maxIterations = 200;          ///< steps, each with one linear system
+	double tolerance = 5e-5;          ///< by how much a strain may be beyond its bound
+};
+
+struct BoundedStrainReport : OptimizationReport {
+	double beyondBounds = 0;    ///< by how much a strain is beyond its bound, at most
+	double squaredDistance = 0; ///< ‖d‖²_W, length²
+};
+
+/// Moves the places to the shape nearest to the original ones, in the metric of the constrained Newton
+/// method, that has a flat pattern from which no triangle is stretched or compressed beyond the bounds. Shape
+/// and pattern are unknowns of one problem. Places are those of the object, so seams stay closed.
+///
+/// \param positions  3 x places: where to start, and the result; untouched when stopped, and where that fits
+/// \return           Converged; NothingToDo: the start has such a pattern; NeedsCut, or Stalled where places
+///                   are held still: no such shape was found, and the result is beyond the bounds;
+///                   LimitReached; Stopped
+/// \throws InvalidParameter, ClosedPatch, NonOrientablePatch, PatchWithHandles, NothingFree
+BoundedStrainReport boundedStrain(const PatchAssembly& assembly, Positions& positions,
+								  const BoundedStrainOptions& options, const Progress& progress = {});
+
+} // namespace developable

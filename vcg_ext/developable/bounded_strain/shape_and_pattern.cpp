@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// shape_and_pattern.cpp: the system of a step, and the guarded step.
+#include "shape_and_pattern.h"
+
+#include "developable/descent/descent.h"
+#include "developable/geometry/geometry.h"
+
+#include <cmath>
+#include <utility>
+
+namespace developable::detail {
+
+namespace {
+
+constexpr int mostTrials = 12;       // halvings of a step
+constexpr int mostSettlings = 3;     // steps of the pattern after each
+constexpr double settled = 1e-2;     // decrease of Ψ, as a share, that is worth another
+constexpr double rigidMotion = 1e-9; // only rigid motions have no stiffness; this much keeps pieces in place
+
+double areaOf(const PatchAssembly& assembly) {
+	double sum = 0;
+	for (const auto& places : assembly.trianglePlaces.colwise())
+		sum += triangleFrame(assembly.originalPositions, places).normal.norm() / 2;
+	return sum;
+}
+
+} // namespace
+
+ShapeAndPatternSteps::ShapeAndPatternSteps(const PatchAssembly& assembly, double smoothness,
+										   const StrainPenalty& penalty)
+	: assembly_(assembly), penalty_(penalty), metric_(displacementMetric(assembly, smoothness)),
+	  order_(assembly), area_(areaOf(assembly)) {}
+
+double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
+	const Eigen::MatrixXd d = (shape - assembly_.originalPositions).transpose();
+	return d.cwiseProduct(metric_.selfadjointView<Eigen::Lower>() * d).sum();
+}
+
+double ShapeAndPatternSteps::value(const ShapeAndPattern& unknowns) const {
+	return squaredDistance(unknowns.shape) / (2 * area_) + penalty_.value(unknowns.shape, unknowns.pattern);
+}
+
+double ShapeAndPatternSteps::step(ShapeAndPattern& unknowns) {
+	Eigen::VectorXd gradient;
+	const Eigen::VectorXd whole = direction(unknowns, gradient);
+	if (!solvable_)
+		return 0;
+	const auto shapeSize = unknowns.shape.size(), patternSize = unknowns.pattern.size();
+	const double slope = gradient.dot(whole), before = value(unknowns);
+	double length = std::min(1.0, 4 * lastLength_);
+	for (int trial = 0; trial < mostTrials; ++trial, length /= 2) {
+		ShapeAndPattern next = {
+			unknowns.shape + length * whole.head(shapeSize).reshaped(3, unknowns.shape.cols()),
+			unknowns.pattern + length * whole.tail(patternSize).reshaped(2, unknowns.pattern.cols())};
+		if (!std::isfinite(penalty_.value(next.shape, next.pattern)))
+			next.pattern = unknowns.pattern; // where the step flips triangles the pattern only settles
+		settle(next);
+		if (descendsEnough(before, slope, length, value(next)) && order_.holds(next.shape)) {
+			unknowns = std::move(next);
+			lastLength_ = length;
+			return -slope / std::abs(before);
+		}
+	}
+	lastLength_ = 1;
+	return 0;
+}
+
+Eigen::VectorXd ShapeAndPatternSteps::direction(const ShapeAndPattern& unknowns, Eigen::VectorXd& gradient) {
+	const int shapeSize = static_cast<int>(unknowns.shape.size());
+	const int size = shapeSize + static_cast<int>(unknowns.pattern.size());
+	gradient = Eigen::VectorXd::Zero(size);
+	Entries entries;
+	entries.reserve(3 * metric_.nonZeros() + 120 * penalty_.triangles().count() + size);
+	addMetric(unknowns.shape, gradient, entries);
+	for (int t = 0; t < penalty_.triangles().count(); ++t)
+		addElement(t, penalty_.element(t, unknowns.shape, unknowns.pattern), gradient, entries);
+	solvable_ = factorize(whole_, size, entries, shapeSize);
+	return solvable_ ? whole_.solve(Eigen::VectorXd(-gradient)) : gradient;
+}
+
+void ShapeAndPatternSteps::addMetric(const Positions& shape, Eigen::VectorXd& gradient,
+									 Entries& entries) const {
+	const Eigen::MatrixXd d = (shape - assembly_.originalPositions).transpose();
+	const Positions force = (metric_.selfadjointView<Eigen::Lower>() * d).transpose() / area_;
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		if (!assembly_.placeFixed[place])
+			gradient.segment<3>(3 * place) = force.col(place);
+	for (int column = 0; column < metric_.cols(); ++column)
+		for (SparseMatrix::InnerIterator entry(metric_, column); entry; ++entry)
+			for (int axis = 0; axis < 3; ++axis)
+				entries.emplace_back(3 * static_cast<int>(entry.row()) + axis, 3 * column + axis,
+									 entry.value() / area_);
+}
+
+void ShapeAndPatternSteps::addElement(int triangle, const StrainPenalty::Element& element,
+									  Eigen::VectorXd& gradient, Entries& entries) const {
+	int index[15];
+	for (int corner = 0; corner < 3; ++corner) {
+		const int place = penalty_.triangles().shaped(corner, triangle);
+		const int vertex = penalty_.triangles().flat(corner, triangle);
+		for (int axis = 0; axis < 3; ++axis)
+			index[3 * corner + axis] = assembly_.placeFixed[place] ? -1 : 3 * place + axis;
+		for (int axis = 0; axis < 2; ++axis)
+			index[9 + 2 * corner + axis] = 3 * assembly_.placeCount() + 2 * vertex + axis;
+	}
+	for (int i = 0; i < 15; ++i) {
+		if (index[i] < 0)
+			continue;
+		gradient[index[i]] += element.gradient[i];
+		for (int j = 0; j <= i; ++j)
+			if (index[j] >= 0)
+				entries.emplace_back(std::max(index[i], index[j]), std::min(index[i], index[j]),
+									 element.hessian(i, j));
+	}
+}
+
+bool ShapeAndPatternSteps::factorize(SparseCholesky& factorization, int size, Entries& entries,
+									 int firstOfPattern) const {
+	for (int i = firstOfPattern; i < size; ++i)
+		entries.emplace_back(i, i, rigidMotion / area_);
+	SparseMatrix lower(size, size);
+	lower.setFromTriplets(entries.begin(), entries.end());
+	return factorization.factorize(lower);
+}
+
+void ShapeAndPatternSteps::settle(ShapeAndPattern& unknowns) {
+	double value = penalty_.value(unknowns.shape, unknowns.pattern);
+	for (int i = 0; i < mostSettlings && std::isfinite(value); ++i)
+		if (!settleOnce(unknowns, value))
+			return;
+}
+
+/// \return whether another step may be worth its while
+bool ShapeAndPatternSteps::settleOnce(ShapeAndPattern& unknowns, double& value) {
+	const int size = static_cast<int>(unknowns.pattern.size());
+	Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size);
+	Entries entries;
+	entries.reserve(21 * penalty_.triangles().count() + size);
+	for (int t = 0; t < penalty_.triangles().count(); ++t) {
+		const StrainPenalty::FlatElement element = penalty_.flatElement(t, unknowns.shape, unknowns.pattern);
+		const auto index = [&](int i) { return 2 * penalty_.triangles().flat(i / 2, t) + i % 2; };
+		for (int i = 0; i < 6; ++i) {
+			gradient[index(i)] += element.gradient[i];
+			for (int j = 0; j <= i; ++j)
+				entries.emplace_back(std::max(index(i), index(j)), std::min(index(i), index(j)),
+									 element.hessian(i, j));
+		}
+	}
+	if (!factorize(pattern_, size, entries, 0))
+		return false;
+	const Eigen::VectorXd direction = pattern_.solve(Eigen::VectorXd(-gradient));
+	const double slope = gradient.dot(direction);
+	double length = 1;
+	for (int trial = 0; trial < mostTrials; ++trial, length /= 2) {
+		const Eigen::Matrix2Xd next =
+			unknowns.pattern + length * direction.reshaped(2, unknowns.pattern.cols());
+		const double nextValue = penalty_.value(unknowns.shape, next);
+		if (!descendsEnough(value, slope, length, nextValue))
+			continue;
+		unknowns.pattern = next;
+		value = nextValue;
+		return -slope > settled * std::abs(value);
+	}
+	return false;
+}
+
+} // namespace developable::detail

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// shape_and_pattern.h: Newton steps that move a shape and its pattern together.
+#pragma once
+
+#include "developable/linear/linear.h"
+#include "developable/material/material.h"
+#include "developable/newton/constrained_newton.h"
+
+namespace developable::detail {
+
+/// The unknowns.
+struct ShapeAndPattern {
+	Positions shape;          ///< 3 x places; those that are held still stay
+	Eigen::Matrix2Xd pattern; ///< 2 x vertices of the patterns
+};
+
+/// Steps that lower φ = ½‖d‖²_W / A + Ψ, A being the object's area and Ψ the cost of strain. The pattern
+/// turns far for small strains, where linear steps go wrong; so after each trial step it settles by itself.
+class ShapeAndPatternSteps {
+public:
+	/// \param smoothness  α of the metric W
+	ShapeAndPatternSteps(const PatchAssembly& assembly, double smoothness, const StrainPenalty& penalty);
+
+	/// \return the decrease of φ that the quadratic model promised, as a share; 0 where no step was any good
+	double step(ShapeAndPattern& unknowns);
+
+	/// ‖d‖²_W, length².
+	double squaredDistance(const Positions& shape) const;
+
+	/// Whether the last step's system could be solved.
+	bool solvable() const { return solvable_; }
+
+private:
+	using Entries = std::vector<Eigen::Triplet<double>>;
+
+	double value(const ShapeAndPattern& unknowns) const;
+	Eigen::VectorXd direction(const ShapeAndPattern& unknowns, Eigen::VectorXd& gradient);
+	void addMetric(const Positions& shape, Eigen::VectorXd& gradient, Entries& entries) const;
+	void addElement(int triangle, const StrainPenalty::Element& element, Eigen::VectorXd& gradient,
+					Entries& entries) const;
+	bool factorize(SparseCholesky& factorization, int size, Entries& entries, int firstOfPattern) const;
+
+	/// Lowers Ψ by moving the pattern alone.
+	void settle(ShapeAndPattern& unknowns);
+	bool settleOnce(ShapeAndPattern& unknowns, double& value);
+
+	const PatchAssembly& assembly_;
+	const StrainPenalty& penalty_;
+	const SparseMatrix metric_;
+	const TriangleOrder order_;
+	const double area_;
+	SparseCholesky whole_, pattern_;
+	double lastLength_ = 1; // of a step: the next one is not tried at more than four times that
+	bool solvable_ = true;
+};
+
+} // namespace developable::detail

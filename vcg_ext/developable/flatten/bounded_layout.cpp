@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bounded_layout.cpp: Newton steps on springs in the plane, with bounds that harden.
+#include "bounded_layout.h"
+
+#include "plane_springs.h"
+
+#include "developable/descent/descent.h"
+#include "developable/linear/linear.h"
+
+namespace developable::detail {
+
+namespace {
+
+StrainedTriangles trianglesOf(const PanelMesh& panel) {
+	StrainedTriangles triangles;
+	triangles.shaped = triangles.flat = panel.triangles;
+	triangles.weights.resize(panel.triangleCount());
+	for (int t = 0; t < panel.triangleCount(); ++t)
+		triangles.weights[t] = panel.frame(t).normal.norm();
+	triangles.weights /= triangles.weights.sum();
+	return triangles;
+}
+
+/// Lowers springs / scale + Ψ. The springs keep the pattern unique, so Ψ needs no elasticity of its own.
+class BoundedLayout {
+public:
+	BoundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
+				  Grain grain, const std::array<int, 2>& longestSide)
+		: panel_(panel), grain_(grain), longestSide_(longestSide), springs_(panel),
+		  penalty_(trianglesOf(panel), bounds, 0), hessian_(springs_.hessianPattern()), positions_(start) {
+		takeGrain();
+	}
+
+	PlanePositions solve() {
+		if (violation() <= shareOfTolerance * strainTolerance)
+			return positions_;
+		Hardening hardening(penalty_);
+		int idle = 0, steps = 0; // no good in all, and with the same stiffness
+		for (int i = 0; i < mostSteps; ++i) {
+			takeGrain();
+			const double decrease = step();
+			if (decrease < settled && violation() <= shareOfTolerance * strainTolerance)
+				break;
+			if (decrease == 0) {
+				if (++idle == patience)
+					break;
+				hardening.soften();
+				steps = 0;
+			} else if (decrease < slow || ++steps == mostStepsAtOnce) {
+				if (!hardening.harden() && decrease < least)
+					break;
+				steps = 0;
+			}
+		}
+		return positions_;
+	}
+
+private:
+	static constexpr int mostSteps = 400, patience = 5, mostStepsAtOnce = 8;
+	static constexpr double slow = 0.5;     // decrease that a step must promise, or the bounds harden
+	static constexpr double settled = 1e-3; // within the bounds, less than that is not worth a step
+	static constexpr double least = 1e-9;   // nor anywhere
+	static constexpr double shareOfTolerance = 0.3;
+
+	void takeGrain() {
+		const double angle =
+			grainDirection(penalty_.triangles(), panel_.positions, positions_, grain_, longestSide_);
+		penalty_.setGrain(std::vector<double>(panel_.triangleCount(), angle));
+	}
+
+	double violation() const { return penalty_.violations(panel_.positions, positions_).maxCoeff(); }
+
+	double energy(const PlanePositions& x) const {
+		return springs_.guardedEnergy(x) + springs_.scale() * penalty_.value(panel_.positions, x);
+	}
+
+	/// \return the decrease that the quadratic model promised, as a share; 0 where no step was any good
+	double step() {
+		PlanePositions gradient = springs_.gradient(positions_);
+		hessian_.setDiagonal(1e-9);
+		springs_.addHessian(positions_, true, hessian_);
+		for (int t = 0; t < panel_.triangleCount(); ++t)
+			addElement(t, gradient);
+		const Eigen::VectorXd downward = -gradient.reshaped();
+		const Eigen::VectorXd direction =
+			factorization_.factorize(hessian_.matrix()) ? factorization_.solve(downward) : downward;
+		const PlanePositions move = direction.reshaped(2, positions_.cols());
+		const double slope = -downward.dot(direction), before = energy(positions_);
+		double length = std::min(1.0, 0.9 * springs_.longestStep(positions_, move));
+		for (int trial = 0; trial < 30; ++trial, length /= 2) {
+			const PlanePositions next = positions_ + length * move;
+			if (!descendsEnough(before, slope, length, energy(next)))
+				continue;
+			positions_ = next;
+			return -slope / std::abs(before);
+		}
+		return 0;
+	}
+
+	void addElement(int t, PlanePositions& gradient) {
+		const StrainPenalty::FlatElement element = penalty_.flatElement(t, panel_.positions, positions_);
+		const auto corners = panel_.triangles.col(t);
+		for (int row = 0; row < 3; ++row) {
+			gradient.col(corners[row]) += springs_.scale() * element.gradient.segment<2>(2 * row);
+			for (int column = 0; column <= row; ++column) {
+				Eigen::Matrix2d block = element.hessian.block<2, 2>(2 * row, 2 * column);
+				if (row == column)
+					block(0, 1) = block(1, 0);
+				hessian_.add(corners[row], corners[column], springs_.scale() * block);
+			}
+		}
+	}
+
+	const PanelMesh& panel_;
+	const Grain grain_;
+	const std::array<int, 2> longestSide_;
+	PlaneSprings springs_;
+	StrainPenalty penalty_;
+	PlaneHessian hessian_;
+	SparseCholesky factorization_; // CG on an old factor would not do while bounds harden
+	PlanePositions positions_;
+};
+
+} // namespace
+
+PlanePositions boundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
+							 Grain grain, const std::array<int, 2>& longestSide) {
+	if (countFlipped(panel.triangles, start) > 0)
+		return start;
+	return BoundedLayout(panel, start, bounds, grain, longestSide).solve();
+}
+
+} // namespace developable::detail

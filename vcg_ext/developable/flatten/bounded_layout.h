@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bounded_layout.h: the layout of a panel that keeps its triangles within the bounds of a material.
+#pragma once
+
+#include "grain_directions.h"
+#include "panel_mesh.h"
+
+namespace developable::detail {
+
+/// By how much a strain may be beyond its bound.
+constexpr double strainTolerance = 1e-4;
+
+/// From a layout without flipped triangles to the one of least Σ (flattened length − length)² among those
+/// within the bounds, or, where there is none, to one that exceeds them little.
+/// \param longestSide  vertices of the panel; see grainDirection
+PlanePositions boundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
+							 Grain grain, const std::array<int, 2>& longestSide);
+
+} // namespace developable::detail

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hardening.h: how bounds become hard, from a soft elastic sheet to one that gives way to a point and no
+// further.
+#pragma once
+
+#include "strain_penalty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace developable {
+
+/// The row of stiffnesses κ, each with the width δ ~ κ^−0.6 of the bounds' edges: so that κ δ², what the
+/// rounding costs, falls too.
+class Hardening {
+public:
+	explicit Hardening(StrainPenalty& penalty, double first = 0.1)
+		: penalty_(penalty), first_(first), stiffness_(first) {
+		apply();
+	}
+
+	/// \return false when it is as hard as it gets
+	bool harden() {
+		if (stiffness_ >= hardest)
+			return false;
+		stiffness_ *= factor;
+		apply();
+		return true;
+	}
+
+	/// After a step that was no good: bounds that were hardened too soon.
+	void soften() {
+		stiffness_ = std::max(stiffness_ / (factor * factor), first_);
+		apply();
+	}
+
+private:
+	static constexpr double hardest = 1e5, factor = 4, softWidth = 0.02;
+
+	void apply() { penalty_.harden(stiffness_, softWidth * std::pow(0.1 / stiffness_, 0.6)); }
+
+	StrainPenalty& penalty_;
+	const double first_;
+	double stiffness_;
+};
+
+} // namespace developable

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// strain_bounds.h: how far a material may be stretched and compressed, in which directions.
+#pragma once
+
+namespace developable {
+
+/// Shares of length: 0.02 is two per cent.
+struct DirectionBounds {
+	double stretch = 0;
+	double compression = 0;
+};
+
+/// Bounds on the map from the flat pattern to the shape. Stretch means that the shape is longer than the
+/// pattern.
+struct StrainBounds {
+	DirectionBounds warp; ///< along the grain; in every direction where the material is not directed
+	DirectionBounds weft; ///< across the grain
+	DirectionBounds bias; ///< at 45° to it, on both sides
+	bool directed = false;
+
+	/// Bounds that hold in every direction.
+	static StrainBounds isotropic(double stretch, double compression) {
+		StrainBounds bounds;
+		bounds.warp = bounds.weft = bounds.bias = {stretch, compression};
+		return bounds;
+	}
+
+	/// Whether any strain is allowed at all.
+	bool any() const;
+};
+
+/// Which way the warp runs in each panel. The numbers are part of the interface.
+enum class Grain {
+	LongestSeam = 0, ///< along the panel's longest seam, or its longest side where it has none
+	XAxis = 1,       ///< as nearly along that axis of the model as can be, on the mean over the panel
+	YAxis = 2,
+	ZAxis = 3
+};
+
+/// \throws InvalidParameter  when a bound is negative or not a number, a stretch above 10 (a thousand per
+///                           cent), or a compression 1 (a hundred per cent) or above
+void requireValid(const StrainBounds& bounds);
+
+} // namespace developable

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// strain_penalty.cpp: the cost of one triangle, and sums over them.
+#include "strain_penalty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace developable {
+
+namespace {
+
+Eigen::Matrix3d cornersOf(const Positions& positions, const Eigen::Vector3i& corners) {
+	return positions(Eigen::all, corners);
+}
+
+/// The derivatives of F : M for a constant M, by the last so many of the coordinates of the shape's corners
+/// and the pattern's.
+template <int size>
+Eigen::Matrix<double, size, 1> derivativesOfMap(const TriangleStrain& strain,
+												const Eigen::Matrix<double, 3, 2>& m) {
+	// dF = (dX − F dU) U⁻¹ with X and U the edges from the first corner.
+	const Eigen::Matrix<double, 3, 2> byShape = m * strain.inverseFlatEdges.transpose();
+	const Eigen::Matrix2d byPattern = -strain.map.transpose() * byShape;
+	Eigen::Matrix<double, size, 1> result;
+	if constexpr (size == 15)
+		result.template head<9>() << -byShape.rowwise().sum(), byShape.col(0), byShape.col(1);
+	result.template tail<6>() << -byPattern.rowwise().sum(), byPattern.col(0), byPattern.col(1);
+	return result;
+}
+
+/// The derivatives of X : M for the edges X of the shape, and of U : M for those of the pattern.
+Eigen::Matrix<double, 15, 1> derivativesOfShape(const Eigen::Matrix<double, 3, 2>& m) {
+	Eigen::Matrix<double, 15, 1> result = Eigen::Matrix<double, 15, 1>::Zero();
+	result.head<9>() << -m.rowwise().sum(), m.col(0), m.col(1);
+	return result;
+}
+template <int size>
+Eigen::Matrix<double, size, 1> derivativesOfPattern(const Eigen::Matrix2d& m) {
+	Eigen::Matrix<double, size, 1> result = Eigen::Matrix<double, size, 1>::Zero();
+	result.template tail<6>() << -m.rowwise().sum(), m.col(0), m.col(1);
+	return result;
+}
+
+} // namespace
+
+StrainPenalty::StrainPenalty(StrainedTriangles triangles, const StrainBounds& bounds, double elasticity)
+	: triangles_(std::move(triangles)), bounds_(bounds), elasticity_(elasticity) {}
+
+TriangleStrain StrainPenalty::strain(int triangle, const Positions& shaped,
+									 const Eigen::Matrix2Xd& flat) const {
+	return {cornersOf(shaped, triangles_.shaped.col(triangle)),
+			flat(Eigen::all, triangles_.flat.col(triangle))};
+}
+
+StrainPenalty::Directions StrainPenalty::directions(int triangle, const TriangleStrain& strain) const {
+	Directions result;
+	const auto add = [&](const Eigen::Vector2d& vector, const DirectionBounds& bounds, double elasticity) {
+		result.items[result.count++] = {vector, std::log(1 - bounds.compression),
+										std::log(1 + bounds.stretch), true, elasticity};
+	};
+	const Eigen::Vector2d first = strain.greatestDirection, second(-first[1], first[0]);
+	if (!bounds_.directed) {
+		add(first, bounds_.warp, elasticity_);
+		add(second, bounds_.warp, elasticity_);
+		return result;
+	}
+	const double angle = triangles_.grain[triangle];
+	const Eigen::Vector2d warp(std::cos(angle), std::sin(angle)), weft(-warp[1], warp[0]);
+	add(warp, bounds_.warp, 0);
+	add(weft, bounds_.weft, 0);
+	add((warp + weft) / std::sqrt(2.0), bounds_.bias, 0);
+	add((warp - weft) / std::sqrt(2.0), bounds_.bias, 0);
+	result.items[result.count++] = {first, 0, 0, false, elasticity_};
+	result.items[result.count++] = {second, 0, 0, false, elasticity_};
+	return result;
+}
+
+StrainPenalty::Slope StrainPenalty::slope(const Direction& direction, double strain) const {
+	Slope slope = {direction.elasticity * strain * strain / 2, direction.elasticity * strain,
+				   direction.elasticity};
+	if (!direction.bounded)
+		return slope;
+	const auto add = [&](double c, double sign) {
+		const double root = std::sqrt(c * c + width_ * width_);
+		slope.value += stiffness_ / 4 * (c * (c + root) + width_ * width_ * std::asinh(c / width_));
+		slope.first += sign * stiffness_ / 2 * (c + root);
+		slope.second += stiffness_ / 2 * (1 + c / root);
+	};
+	add(strain - direction.greatest, 1);
+	add(direction.least - strain, -1);
+	return slope;
+}
+
+double StrainPenalty::value(const Positions& shaped, const Eigen::Matrix2Xd& flat) const {
+	double sum = 0;
+	for (int t = 0; t < triangles_.count(); ++t) {
+		const TriangleStrain triangle = strain(t, shaped, flat);
+		if (!(triangle.flatArea > 0) || !(triangle.least > 0))
+			return std::numeric_limits<double>::infinity();
+		for (const Direction& direction : directions(t, triangle))
+			sum += triangles_.weights[t] *
+				   slope(direction, std::log((triangle.map * direction.vector).norm())).value;
+	}
+	return sum;
+}
+
+StrainPenalty::Element StrainPenalty::element(int t, const Positions& shaped,
+											  const Eigen::Matrix2Xd& flat) const {
+	return derivatives<15>(t, shaped, flat);
+}
+
+StrainPenalty::FlatElement StrainPenalty::flatElement(int t, const Positions& shaped,
+													  const Eigen::Matrix2Xd& flat) const {
+	return derivatives<6>(t, shaped, flat);
+}
+
+template <int size>
+StrainPenalty::Derivatives<size> StrainPenalty::derivatives(int t, const Positions& shaped,
+															const Eigen::Matrix2Xd& flat) const {
+	const TriangleStrain triangle = strain(t, shaped, flat);
+	const Eigen::Vector3d normal =
+		Eigen::Vector3d(triangle.map.col(0)).cross(Eigen::Vector3d(triangle.map.col(1))).normalized();
+	using Row = Eigen::Matrix<double, size, 1>;
+	Derivatives<size> element;
+	const auto add = [&](const Row& row, double second) {
+		element.hessian.template selfadjointView<Eigen::Lower>().rankUpdate(row, second);
+	};
+	for (const Direction& direction : directions(t, triangle)) {
+		const Eigen::Vector3d image = triangle.map * direction.vector;
+		const double length = image.norm();
+		const Eigen::Vector3d unit = image / length;
+		const Slope cost = slope(direction, std::log(length));
+		const double weight = triangles_.weights[t];
+		const Row row = derivativesOfMap<size>(triangle, unit * direction.vector.transpose() / length);
+		element.gradient += weight * cost.first * row;
+		add(row, weight * cost.second);
+		// A tension resists that the shape is turned, a compression that the pattern is.
+		const Eigen::Vector2d along = triangle.inverseFlatEdges * direction.vector;
+		const Eigen::Vector2d across(-direction.vector[1], direction.vector[0]);
+		const double turning = weight * std::abs(cost.first);
+		if (cost.first < 0)
+			add(derivativesOfPattern<size>(across * along.transpose()), turning);
+		else if constexpr (size == 15)
+			for (const Eigen::Vector3d& side : {normal, Eigen::Vector3d(normal.cross(unit))})
+				add(derivativesOfShape(side * along.transpose() / length), turning);
+	}
+	return element;
+}
+
+Eigen::VectorXd StrainPenalty::violations(const Positions& shaped, const Eigen::Matrix2Xd& flat) const {
+	Eigen::VectorXd result = Eigen::VectorXd::Zero(triangles_.count());
+	for (int t = 0; t < triangles_.count(); ++t) {
+		const TriangleStrain triangle = strain(t, shaped, flat);
+		for (const Direction& direction : directions(t, triangle)) {
+			const double length = (triangle.map * direction.vector).norm();
+			if (direction.bounded)
+				result[t] = std::max(
+					{result[t], length - std::exp(direction.greatest), std::exp(direction.least) - length});
+		}
+	}
+	return result;
+}
+
+Eigen::Matrix2Xd principalStrains(const StrainedTriangles& triangles, const Positions& shaped,
+								  const Eigen::Matrix2Xd& flat) {
+	Eigen::Matrix2Xd result(2, triangles.count());
+	for (int t = 0; t < triangles.count(); ++t) {
+		const TriangleStrain strain(cornersOf(shaped, triangles.shaped.col(t)),
+									flat(Eigen::all, triangles.flat.col(t)));
+		result.col(t) << strain.greatest, strain.least;
+	}
+	return result;
+}
+
+} // namespace developable

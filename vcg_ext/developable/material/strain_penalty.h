@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// strain_penalty.h: what it costs to leave the bounds, with its derivatives by both shape and pattern.
+#pragma once
+
+#include "strain_bounds.h"
+#include "triangle_strain.h"
+
+#include "developable/mesh/mesh.h"
+
+#include <utility>
+#include <vector>
+
+namespace developable {
+
+/// The triangles of a shape and of its pattern, corner by corner; in the plane they run counterclockwise.
+struct StrainedTriangles {
+	Eigen::Matrix3Xi shaped; ///< 3 x triangles, columns of 3D positions
+	Eigen::Matrix3Xi flat;   ///< 3 x triangles, columns of plane positions
+	Eigen::VectorXd weights; ///< per triangle, its share of the area
+	std::vector<double>
+		grain; ///< per triangle, the direction of the warp in the plane, rad; empty: undirected
+
+	int count() const { return static_cast<int>(flat.cols()); }
+};
+
+/// The cost Ψ of strains e = log |F v| along unit vectors v of the pattern: those of the singular values, or
+/// warp, weft and both diagonals. With bounds l ≤ e ≤ h and a triangle's weight w,
+///     Ψ = Σ w (γ/2 e² + p(e − h) + p(l − e)),     p'(c) = κ/2 (c + √(c² + δ²)),
+/// which is a quadratic penalty κ/2 c₊² whose edge is rounded over the width δ, so that Newton's method sees
+/// bounds coming. The little elastic energy makes the pattern unique where no bound is touched. Second
+/// derivatives leave out what would make them indefinite.
+class StrainPenalty {
+public:
+	/// Derivatives by so many coordinates.
+	template <int size>
+	struct Derivatives {
+		Eigen::Matrix<double, size, 1> gradient = Eigen::Matrix<double, size, 1>::Zero();
+		Eigen::Matrix<double, size, size> hessian = Eigen::Matrix<double, size, size>::Zero(); ///< lower half
+	};
+	/// By the nine coordinates of the shape's corners, then by the six of the pattern's.
+	using Element = Derivatives<15>;
+	/// By the six of the pattern's corners.
+	using FlatElement = Derivatives<6>;
+
+	/// \param elasticity  γ
+	StrainPenalty(StrainedTriangles triangles, const StrainBounds& bounds, double elasticity);
+
+	const StrainedTriangles& triangles() const { return triangles_; }
+	/// \param grain  per triangle, rad; not looked at where the bounds are not directed
+	void setGrain(std::vector<double> grain) { triangles_.grain = std::move(grain); }
+
+	/// \param stiffness  κ
+	/// \param width      δ, a strain
+	void harden(double stiffness, double width) {
+		stiffness_ = stiffness;
+		width_ = width;
+	}
+
+	/// Infinite where a triangle of the pattern is flipped.
+	double value(const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+
+	/// Of one triangle. The pattern must not be flipped there.
+	Element element(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+	FlatElement flatElement(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+
+	/// By how much each triangle is beyond its bounds, as a strain; 0 within.
+	Eigen::VectorXd violations(const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+
+private:
+	struct Direction {
+		Eigen::Vector2d vector = {1, 0};
+		double least = 0, greatest = 0; // l, h
+		bool bounded = false;
+		double elasticity = 0;
+	};
+	struct Directions {
+		Direction items[6];
+		int count = 0;
+
+		const Direction* begin() const { return items; }
+		const Direction* end() const { return items + count; }
+	};
+	struct Slope {
+		double value, first, second; // of the cost by e
+	};
+
+	template <int size>
+	Derivatives<size> derivatives(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+	TriangleStrain strain(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+	Directions directions(int triangle, const TriangleStrain& strain) const;
+	Slope slope(const Direction& direction, double strain) const;
+
+	StrainedTriangles triangles_;
+	const StrainBounds bounds_;
+	const double elasticity_;
+	double stiffness_ = 1, width_ = 1e-3;
+};
+
+/// The strains of every triangle. \return 2 x triangles: σ1, σ2
+Eigen::Matrix2Xd principalStrains(const StrainedTriangles& triangles, const Positions& shaped,
+								  const Eigen::Matrix2Xd& flat);
+
+} // namespace developable

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// displacement_metric.cpp: the metric with the same smoothness in every patch.
+#include "displacement_metric.h"
+
+#include "bending_metric.h"
+#include "soundness.h"
+
+namespace developable {
+
+SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness) {
+	const Eigen::VectorXd smoothnesses = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness);
+	return detail::BendingMatrix(assembly, detail::placeMasses(assembly), smoothnesses,
+								 NewtonTuning().borderStiffness)
+		.lower();
+}
+
+class TriangleOrder::Comparison : public detail::Soundness {
+	using Soundness::Soundness;
+};
+
+TriangleOrder::TriangleOrder(const PatchAssembly& assembly)
+	: comparison_(std::make_unique<Comparison>(assembly, NewtonTuning())) {}
+TriangleOrder::TriangleOrder(TriangleOrder&&) noexcept = default;
+TriangleOrder::~TriangleOrder() = default;
+
+bool TriangleOrder::holds(const Positions& positions) const {
+	return comparison_->holds(positions);
+}
+
+} // namespace developable
