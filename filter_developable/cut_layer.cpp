@@ -84,7 +84,7 @@ class FaceCutter {
 public:
 	FaceCutter(Layer& layer, const CutMesh& cut)
 		: layer_(layer), cut_(cut), facesBefore_(static_cast<int>(layer.mesh().face.size())),
-		  faceOfTriangle_(facesOfTriangles(cut, facesBefore_)) {
+		  faceOfTriangle_(cut.facesAfter(facesBefore_)) {
 		CMeshO& mesh = layer.mesh();
 		for (CFaceO& face : mesh.face) {
 			FaceBefore before{};
@@ -172,17 +172,6 @@ auto faceAttribute(CMeshO& mesh, const std::string& name, Value value) {
 }
 
 } // namespace
-
-std::vector<int> facesOfTriangles(const CutMesh& cut, int facesBefore) {
-	std::vector<char> taken(std::size_t(facesBefore), 0);
-	std::vector<int> faces;
-	int next = facesBefore;
-	for (const int face : cut.face) {
-		faces.push_back(taken[std::size_t(face)] ? next++ : face);
-		taken[std::size_t(face)] = 1;
-	}
-	return faces;
-}
 
 void cutLayer(Layer& layer, const CutMesh& cut) {
 	FaceCutter faces(layer, cut); // what they were

@@ -22,7 +22,4 @@ void labelPanels(Layer& layer, const CutResult& result, const std::vector<int>& 
 /// A colour per panel, such that neighbours differ.
 void colourPanels(Layer& layer, const CutResult& result, const std::vector<int>& faceOfTriangle);
 
-/// The faces of the layer that the triangles of a cut are, after cutLayer has written them.
-std::vector<int> facesOfTriangles(const CutMesh& cut, int facesBefore);
-
 } // namespace developable::plugin

@@ -34,7 +34,10 @@ std::vector<Parameter> materialParameters() {
 	};
 }
 
-void refuseStrain(const ParameterValues& values) {
+/// What is a parameter already and does not work yet.
+void refuseWhatDoesNotWork(const ParameterValues& values) {
+	if (values.boolean("symmetric"))
+		throw InvalidParameter("Symmetric panels do not work yet: switch 'symmetric' off.");
 	if (values.integer("material") != 0 || values.number("allowed_stretch") > 0 ||
 		values.number("allowed_compression") > 0)
 		throw InvalidParameter("Panels that may be strained do not work yet in this filter: leave 'material' "
@@ -47,7 +50,6 @@ CutOptions optionsOf(const ParameterValues& values) {
 	options.maxPanels = values.integer("max_panels");
 	options.darts = values.boolean("darts");
 	options.creaseAngle = values.number("crease_angle");
-	options.symmetric = values.boolean("symmetric");
 	options.keepSelected = values.boolean("keep_selected_whole");
 	options.splitTriangles = values.boolean("cut");
 	return options;
@@ -69,14 +71,14 @@ Results resultsOf(const CutReport& report, double seconds) {
 
 Results run(FilterCall& call) {
 	const auto start = std::chrono::steady_clock::now();
-	refuseStrain(call.values);
+	refuseWhatDoesNotWork(call.values);
 	const PatchOptions patches = patchOptions(call.values);
 	const TriangleMesh mesh = readTriangles(call.layer.mesh(), patches.seams);
 	const CutResult result = cutIntoPanels(mesh, patches, optionsOf(call.values), call.progress);
 	if (result.report.status != Status::Stopped) {
 		std::vector<int> faces = result.mesh.face;
 		if (call.values.boolean("cut")) {
-			faces = facesOfTriangles(result.mesh, static_cast<int>(call.layer.mesh().face.size()));
+			faces = result.mesh.facesAfter(static_cast<int>(call.layer.mesh().face.size()));
 			cutLayer(call.layer, result.mesh);
 		}
 		labelPanels(call.layer, result, faces);
@@ -110,8 +112,10 @@ std::vector<Parameter> parameters() {
 					  "Where a cut from the border is enough a panel stays whole and gets a dart."),
 		floatParameter("crease_angle", 40, {0, false, 180}, "°", "Crease angle",
 					   "Seams like to lie on edges whose faces make a sharper turn than this."),
-		boolParameter("symmetric", false, "Symmetric",
-					  "Left and right panels of a surface that is its own mirror image mirror each other."),
+		boolParameter(
+			"symmetric", false, "Symmetric",
+			"Left and right panels of a surface that is its own mirror image mirror each other; this does not work "
+			"yet."),
 		boolParameter(
 			"cut", true, "Cut",
 			"Double the vertices along seams and darts, and split faces where seams cross them; else "

@@ -2,7 +2,8 @@
 """Makes panels of a triangle mesh developable, moving the surface little (Wang and Tang 2004).
 
 `load()` brings the filters into this process's pymeshlab; `measure`, `make_developable`, `cut_into_panels`
-and `flatten` take and return NumPy arrays; `meshlab_developable.patterns` writes flat panels as patterns to cut and sew.
+and `flatten` take and return NumPy arrays; `meshlab_developable.patterns` writes flat panels as patterns to
+cut and sew.
 """
 
 from meshlab_developable.cutting import CutPanels, CutReport, Panel

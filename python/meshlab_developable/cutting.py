@@ -13,9 +13,10 @@ import numpy.typing as npt
 
 from meshlab_developable import mesh_sets
 from meshlab_developable.description import Status
+from meshlab_developable.errors import FilterError
 from meshlab_developable.filters import CUT
 from meshlab_developable.mesh_sets import Array, IndexArray, Source
-from meshlab_developable.methods import array_parameters, opened
+from meshlab_developable.methods import array_parameters, make_developable, opened
 
 
 @dataclasses.dataclass(frozen=True)
@@ -80,7 +81,7 @@ def cut_into_panels(
     texture_coordinates: npt.ArrayLike | None = None,
     **parameters: Any,
 ) -> CutPanels:
-    """Cut a surface, open or closed, into few panels that can be made developable, with short seams and darts.
+    """Cut a surface, open or closed, into few panels that can be made developable, with short seams.
 
     vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
     pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Nothing is moved. Vertices along
@@ -122,6 +123,23 @@ def cut_layer(meshes: Any, values: Mapping[str, Any]) -> CutReport:
     if result["status"] == Status.STOPPED:
         return CutReport.from_values(result, ())
     return CutReport.from_values(result, _panels(meshes.current_mesh()))
+
+
+def developed_panels(source: Source, **parameters: Any) -> tuple[Array, IndexArray, CutReport]:
+    """Cut a surface into panels and make these developable: vertices, faces, and what the cut did.
+
+    Parameters are those of `cut_into_panels`. Raises FilterError too when a panel can't be made developable.
+    """
+    cut = cut_into_panels(source, **parameters)
+    if not cut.report.developable:
+        worst = max(cut.report.panels, key=lambda panel: panel.curvature_after)
+        raise FilterError(
+            f"{sum(panel.status == Status.NEEDS_CUT for panel in cut.report.panels)} of "
+            f"{len(cut.report.panels)} panels can't be made developable within the largest displacement, "
+            f"first of all at {worst.worst_point}: allow a larger one with --max-displacement"
+        )
+    developed = make_developable(cut.vertices, cut.faces)
+    return developed.vertices, developed.faces, cut.report
 
 
 def cut_file(source: Path, target: Path, verbose: bool = False, **parameters: Any) -> CutReport:

@@ -424,7 +424,7 @@ CUT = Filter(
             Boolean(),
             False,
             "",
-            "Left and right panels of a surface that is its own mirror image mirror each other.",
+            "Left and right panels of a surface that is its own mirror image mirror each other; this does not work yet.",
         ),
         Parameter(
             "cut",

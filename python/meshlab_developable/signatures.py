@@ -185,7 +185,7 @@ def cut_into_panels(
     cut: bool = True,
     colorize: bool = True,
 ) -> CutPanels:
-    """Cut a surface, open or closed, into few panels that can be made developable, with short seams and darts.
+    """Cut a surface, open or closed, into few panels that can be made developable, with short seams.
 
     vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
     pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Nothing is moved. Vertices along
@@ -216,7 +216,8 @@ def cut_into_panels(
             displacement; 0 means as many as it takes.
         darts: Where a cut from the border is enough a panel stays whole and gets a dart.
         crease_angle (°; ≤ 180): Seams like to lie on edges whose faces make a sharper turn than this.
-        symmetric: Left and right panels of a surface that is its own mirror image mirror each other.
+        symmetric: Left and right panels of a surface that is its own mirror image mirror each other; this
+            does not work yet.
         cut: Double the vertices along seams and darts, and split faces where seams cross them; else faces
             are only labelled.
         colorize: Colour the faces by panel.

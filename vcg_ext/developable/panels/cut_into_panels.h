@@ -24,7 +24,6 @@ struct CutOptions {
 	int maxPanels = 0;          ///< 0: as many as it takes
 	bool darts = true;          ///< seams may stay in part, as darts
 	double creaseAngle = 40;    ///< seams like to lie on edges whose faces turn by more than this, degrees
-	bool symmetric = false;     ///< panels of a surface that is its own mirror image are each other's
 	bool keepSelected = false;  ///< no seam or dart crosses a selected triangle
 	bool splitTriangles = true; ///< where seams cross them; else seams keep to edges
 };

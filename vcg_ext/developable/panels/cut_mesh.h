@@ -24,6 +24,19 @@ struct CutMesh {
 	/// Per triangle and side (3 · triangle + corner): 1 where a seam or a dart runs.
 	std::vector<char> seam;
 
+	/// Per triangle its place among the faces once the mesh is cut: the first part of a face keeps the
+	/// face's, others follow behind all that there were.
+	std::vector<int> facesAfter(int facesBefore) const {
+		std::vector<char> taken(facesBefore, 0);
+		std::vector<int> after;
+		int next = facesBefore;
+		for (const int f : face) {
+			after.push_back(taken[f] ? next++ : f);
+			taken[f] = 1;
+		}
+		return after;
+	}
+
 	VertexOrigin originOf(int vertex) const {
 		return vertex < verticesBefore ? VertexOrigin{vertex, vertex, 0} : added[vertex - verticesBefore];
 	}

@@ -3,19 +3,30 @@
 #include "cut_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
 namespace developable::detail {
 
+namespace {
+
+constexpr double sharpPoint = 0.4; ///< angle defect of the apex of a cone and the like, rad
+
+} // namespace
+
 CutSurface::CutSurface(PatchAssembly assembly)
 	: assembly_(std::move(assembly)), cut_(3 * assembly_.triangleCount(), 0),
 	  panelOf_(assembly_.patchOfTriangle), triangles_(assembly_.patchCount()),
-	  normals_(3, assembly_.triangleCount()), areas_(assembly_.triangleCount()) {
+	  normals_(3, assembly_.triangleCount()), areas_(assembly_.triangleCount()),
+	  patchAreas_(Eigen::VectorXd::Zero(assembly_.patchCount())) {
+	for (const double defect : angleDefects(assembly_, positions()))
+		sharp_.push_back(std::abs(defect) > sharpPoint);
 	for (int t = 0; t < assembly_.triangleCount(); ++t) {
 		triangles_[panelOf_[t]].push_back(t);
 		const Eigen::Vector3d doubled = vectorOf(3 * t).cross(vectorOf(3 * t + 1));
 		areas_[t] = doubled.norm() / 2;
+		patchAreas_[assembly_.patchOfTriangle[t]] += areas_[t];
 		normals_.col(t) = (assembly_.triangleReversed[t] ? -doubled : doubled).normalized();
 	}
 }

@@ -38,6 +38,7 @@ public:
 		return positions().col(assembly_.placeAt(halfEdge)) + vectorOf(halfEdge) / 2;
 	}
 	double area(int panel) const;
+	double patchArea(int patch) const { return patchAreas_[patch]; }
 
 	/// The triangles of a panel fall apart into those with different labels, each connected part a panel;
 	/// cuts inside a panel that borders nothing else stay.
@@ -62,6 +63,9 @@ public:
 	/// \param triangles  ascending
 	TriangleMesh meshOf(const std::vector<int>& triangles) const;
 
+	/// Whether so much of the angle defect is at one place that no panel can have it inside, per copy.
+	bool isSharpPoint(int copy) const { return sharp_[copy] != 0; }
+
 	/// Unit normals, all on one side within a patch, 3 x triangles; and areas.
 	const Eigen::Matrix3Xd& normals() const { return normals_; }
 	const Eigen::VectorXd& areas() const { return areas_; }
@@ -70,9 +74,11 @@ private:
 	PatchAssembly assembly_;
 	std::vector<char> cut_; // per half edge, both of an edge
 	std::vector<int> panelOf_;
+	std::vector<char> sharp_;
 	std::vector<std::vector<int>> triangles_;
 	Eigen::Matrix3Xd normals_;
 	Eigen::VectorXd areas_;
+	Eigen::VectorXd patchAreas_;
 };
 
 } // namespace developable::detail

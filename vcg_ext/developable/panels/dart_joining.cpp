@@ -23,8 +23,8 @@ struct Part {
 
 class DartJoining {
 public:
-	DartJoining(CutSurface& surface, PanelTests& tests, Joins& joins)
-		: surface_(surface), tests_(tests), joins_(joins) {}
+	DartJoining(CutSurface& surface, PanelTests& tests, const SewnExcess& excess)
+		: surface_(surface), tests_(tests), sewn_(surface, excess) {}
 
 	void run() {
 		while (joinOne())
@@ -54,11 +54,9 @@ private:
 				return false;
 			const std::vector<char> mayGo = test(some);
 			for (std::size_t i = 0; i < some.size() && !tests_.stopped(); ++i)
-				if (mayGo[i]) {
-					joins_.push_back(longest(some[i]).halfEdges);
-					surface_.join(joins_.back());
+				if (mayGo[i] && joinLongest(some[i]))
 					return true;
-				} else
+				else
 					failures_.insert(keyOf(some[i]));
 		}
 		return false;
@@ -84,16 +82,16 @@ private:
 		return part;
 	}
 
-	/// More of a part that may go, as much as may.
-	Part longest(const Part& least) {
-		std::vector<Part> parts = {least};
+	/// As much of the seam as may go, if any may.
+	bool joinLongest(const Part& least) {
 		std::vector<Part> more;
 		for (const double share : shares)
 			more.push_back(partOf(least.chain, least.fromEnd, share));
 		const std::vector<char> mayGo = test(more);
-		for (std::size_t i = 1; i < more.size() && mayGo[i]; ++i)
-			parts.push_back(more[i]);
-		return parts.back();
+		for (std::size_t i = more.size(); i-- > 0;)
+			if (mayGo[i] && sewn_.join(more[i].halfEdges))
+				return true;
+		return false;
 	}
 
 	std::vector<char> test(const std::vector<Part>& parts) {
@@ -129,14 +127,14 @@ private:
 
 	CutSurface& surface_;
 	PanelTests& tests_;
-	Joins& joins_;
+	SewnJoining sewn_;
 	std::set<std::array<int, 4>> failures_;
 };
 
 } // namespace
 
-void joinWithDarts(CutSurface& surface, PanelTests& tests, Joins& joins) {
-	DartJoining(surface, tests, joins).run();
+void joinWithDarts(CutSurface& surface, PanelTests& tests, const SewnExcess& excess) {
+	DartJoining(surface, tests, excess).run();
 }
 
 } // namespace developable::detail

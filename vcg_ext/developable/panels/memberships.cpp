@@ -13,14 +13,17 @@ namespace {
 /// Cotangents are kept within this, so that no weight is negative and none outweighs all others.
 constexpr double leastCotangent = 0.05, greatestCotangent = 5;
 
-/// Half edges across which nothing spreads.
+/// Half edges across which nothing spreads. A seam through a sharp point has to stay there.
 std::vector<char> wallsOf(const CutSurface& surface, const std::vector<int>& labels, double creaseAngle) {
 	const PatchAssembly& assembly = surface.assembly();
+	const auto isSharp = [&](int h) {
+		return turnAt(surface, h) > creaseAngle * pi / 180 || surface.isSharpPoint(surface.startOf(h)) ||
+			   surface.isSharpPoint(surface.endOf(h));
+	};
 	std::vector<char> wall(3 * assembly.triangleCount(), 0);
 	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
 		const int other = assembly.across(h);
-		wall[h] = other < 0 || (labels[triangleOf(h)] != labels[triangleOf(other)] &&
-								turnAt(surface, h) > creaseAngle * pi / 180);
+		wall[h] = other < 0 || (labels[triangleOf(h)] != labels[triangleOf(other)] && isSharp(h));
 	}
 	return wall;
 }

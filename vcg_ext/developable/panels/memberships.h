@@ -13,7 +13,8 @@ struct Memberships {
 	Eigen::Matrix3Xi triangleNodes; ///< 3 x triangles
 	int nodes = 0;
 	Eigen::MatrixXd values; ///< nodes x labels, 0 to 1; rows add up to 1
-	std::vector<char> wall; ///< per half edge, of both sides: a border, or a crease between labels
+	std::vector<char>
+		wall; ///< per half edge, of both sides: a border, or a crease or sharp point between labels
 };
 
 /// One implicit step of the heat equation for the indicator of each label, as in the threshold dynamics of

@@ -96,9 +96,15 @@ private:
 		const std::vector<int> members = membersOf(cluster);
 		if (members.size() < 2)
 			return;
-		const int seed = *std::max_element(members.begin(), members.end(), [&](int a, int b) {
-			return deviation(a, cluster) < deviation(b, cluster);
-		});
+		const auto farthestFrom = [&](const Eigen::Vector3d& normal) {
+			return *std::max_element(members.begin(), members.end(), [&](int a, int b) {
+				return (surface_.normals().col(a) - normal).squaredNorm() <
+					   (surface_.normals().col(b) - normal).squaredNorm();
+			});
+		};
+		int seed = farthestFrom(proxies_[cluster]);
+		if (seed == seeds_[cluster]) // all are equally far from a mean of nothing
+			seed = farthestFrom(surface_.normals().col(seed));
 		if (seed == seeds_[cluster])
 			return;
 		seeds_.push_back(seed);

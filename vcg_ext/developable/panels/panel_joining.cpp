@@ -14,10 +14,12 @@ namespace {
 /// not change another; the number is fixed, so that the outcome does not depend on the machine.
 constexpr int batchSize = 4;
 
+constexpr double smallShare = 0.15; ///< of a patch's area
+
 class Joining {
 public:
-	Joining(CutSurface& surface, PanelTests& tests, Joins& joins)
-		: surface_(surface), tests_(tests), joins_(joins) {}
+	Joining(CutSurface& surface, PanelTests& tests, const SewnExcess& excess)
+		: surface_(surface), tests_(tests), sewn_(surface, excess) {}
 
 	void run() {
 		const double first = static_cast<double>(seamChains(surface_).size());
@@ -89,48 +91,42 @@ private:
 			trials.push_back(trialOf(chain));
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)
-			if (verdicts[i].flat && verdicts[i].disk) {
-				surface_.join(batch[i].halfEdges);
-				joins_.push_back(batch[i].halfEdges);
-			} else {
+			if (!verdicts[i].flat || !verdicts[i].disk || !sewn_.join(batch[i].halfEdges))
 				failures_.insert(failureOf(batch[i]));
-			}
 	}
 
 	CutSurface& surface_;
 	PanelTests& tests_;
-	Joins& joins_;
+	SewnJoining sewn_;
 	std::set<Failure> failures_;
 	int left_ = 0;
 };
 
 } // namespace
 
-void joinPanels(CutSurface& surface, PanelTests& tests, Joins& joins) {
-	Joining(surface, tests, joins).run();
+void joinPanels(CutSurface& surface, PanelTests& tests, const SewnExcess& excess) {
+	Joining(surface, tests, excess).run();
 }
 
-bool takeBackJoin(CutSurface& surface, int panel, const Eigen::Vector3d& point, Joins& joins) {
-	auto nearest = joins.end();
-	double least = std::numeric_limits<double>::infinity();
-	for (auto join = joins.begin(); join != joins.end(); ++join) {
-		if (surface.panelOf(triangleOf(join->front())) != panel)
-			continue;
-		double distance = std::numeric_limits<double>::infinity();
-		for (const int h : *join)
-			distance = std::min(distance, (surface.middleOf(h) - point).norm());
-		if (distance <= least) { // of equals the last
-			least = distance;
-			nearest = join;
-		}
+bool SewnJoining::join(const std::vector<int>& halfEdges) {
+	const int patch = surface_.assembly().patchOfTriangle[triangleOf(halfEdges.front())];
+	const auto areaAt = [&](int h) { return surface_.area(surface_.panelOf(triangleOf(h))); };
+	const int across = surface_.assembly().across(halfEdges.front());
+	if (areaAt(halfEdges.front()) + areaAt(across) < smallShare * surface_.patchArea(patch)) {
+		surface_.join(halfEdges);
+		return true;
 	}
-	if (nearest == joins.end())
-		return false;
-	for (const int h : *nearest)
-		surface.setCut(h, true);
-	surface.divide(panel, std::vector<int>(surface.trianglesOf(panel).size(), 0));
-	joins.erase(nearest);
-	return true;
+	if (before_ < 0)
+		before_ = excess_();
+	CutSurface saved = surface_; // with the numbers of its panels, by which failures are known
+	surface_.join(halfEdges);
+	const double after = excess_();
+	if (after <= before_) {
+		before_ = after;
+		return true;
+	}
+	surface_ = std::move(saved);
+	return false;
 }
 
 } // namespace developable::detail

@@ -5,21 +5,32 @@
 #include "panel_tests.h"
 #include "seam_chains.h"
 
+#include <functional>
+
 namespace developable::detail {
 
-/// What was joined, in order: the half edges across which.
-using Joins = std::vector<std::vector<int>>;
+/// How far the panels of a surface are from becoming developable when they are sewn together; 0: they do.
+using SewnExcess = std::function<double()>;
 
-/// Joins panels across whole seams, greedily.
-/// \param joins  grows by those that were made
-void joinPanels(CutSurface& surface, PanelTests& tests, Joins& joins);
+/// Joins that are only kept when the panels, sewn together, are no worse than before.
+class SewnJoining {
+public:
+	SewnJoining(CutSurface& surface, SewnExcess excess) : surface_(surface), excess_(std::move(excess)) {}
 
-/// Takes back the join within a panel that was made nearest to a point.
-/// \return whether there was any
-bool takeBackJoin(CutSurface& surface, int panel, const Eigen::Vector3d& point, Joins& joins);
+	/// Joins across some half edges, or not. What is small compared with its patch has little to pull with,
+	/// and is not tried. \return whether it did
+	bool join(const std::vector<int>& halfEdges);
+
+private:
+	CutSurface& surface_;
+	const SewnExcess excess_;
+	double before_ = -1; // not known
+};
+
+/// Joins panels across whole seams, greedily: those whose union is a panel, by itself and sewn to the others.
+void joinPanels(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);
 
 /// Where a whole seam can't go, a long part of it does, from one of its ends on; the rest stays as a dart.
-/// \param joins  grows by those that were made
-void joinWithDarts(CutSurface& surface, PanelTests& tests, Joins& joins);
+void joinWithDarts(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);
 
 } // namespace developable::detail

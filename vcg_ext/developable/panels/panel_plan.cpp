@@ -19,6 +19,7 @@ namespace {
 
 constexpr double defaultDisplacement = 0.02;  ///< of the diagonal of a part
 constexpr double shareBeforeSmoothing = 0.92; ///< of the displacement: seams that move take some of it
+constexpr double spreads[] = {1.5, 0.7};      ///< of seams that are drawn, the same
 constexpr double smoothing = 1.5;             ///< how far labels spread, in mean edge lengths
 
 int countPanels(const CutSurface& surface) {
@@ -33,6 +34,15 @@ double excess(const CutPanel& panel) {
 	if (panel.triangles == 0 || panel.developable)
 		return 0;
 	return panel.maxDisplacement * (1 + panel.curvatureAfter);
+}
+
+/// What a cut is judged by: the length of its seams, and of a panel as much as a seam of so much.
+double cost(const CutSurface& surface) {
+	constexpr double panelShare = 0.25; // of the diagonal
+	double length = panelShare * boxDiagonal(surface.positions()) * countPanels(surface);
+	for (const SeamChain& chain : seamChains(surface))
+		length += chain.length;
+	return length;
 }
 
 /// Of the sides of different patches that have both ends in common, length.
@@ -205,44 +215,73 @@ void PanelPlan::divideUntilFlat() {
 	}
 }
 
-/// Sewn together, panels pull at each other. Where that takes one too far, a join near there is taken back;
-/// where none is left, the panel is divided.
-SewnPanels PanelPlan::holdTogether(int rounds, double share, bool mayDivide) {
+SewnPanels PanelPlan::sewTogether(double share, bool brief) {
 	std::vector<double> limits = maxDisplacements();
 	for (double& limit : limits)
 		limit *= share;
-	while (true) {
-		SewnPanels sewn = developSewnPanels(*surface_, limits, progressOfRest());
+	return developSewnPanels(asCut(), *surface_, limits, brief, progressOfRest());
+}
+
+/// Sewn together, panels pull at each other.
+SewnExcess PanelPlan::excessBeyond(double share) {
+	return [this, share] {
+		double sum = 0;
+		for (const CutPanel& panel : sewTogether(share, true).panels)
+			sum += excess(panel);
+		return sum;
+	};
+}
+
+/// Divides what does not hold together, in two each time.
+SewnPanels PanelPlan::divideUntilAllHold() {
+	constexpr int rounds = 40;
+	SewnPanels sewn = sewTogether(1, false);
+	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		int worst = 0;
 		for (int panel = 0; panel < surface_->panelCount(); ++panel)
 			if (excess(sewn.panels[panel]) > excess(sewn.panels[worst]))
 				worst = panel;
-		if (excess(sewn.panels[worst]) == 0 || rounds-- == 0 || tests_->stopped())
-			return sewn;
-		if (takeBackJoin(*surface_, worst, sewn.panels[worst].worstPoint, joins_))
-			continue;
-		if (!mayDivide || surface_->trianglesOf(worst).size() < 2 || !divideInTwo(worst))
-			return sewn;
+		if (excess(sewn.panels[worst]) == 0 || surface_->trianglesOf(worst).size() < 2 || !divideInTwo(worst))
+			break;
+		sewn = sewTogether(1, false);
 	}
+	return sewn;
 }
 
 Progress PanelPlan::progressOfRest() {
 	return [this](double, const std::string&) { return tests_->mayGoOn(0.7, "sewing the panels together"); };
 }
 
+/// Smooth seams move a little. Where that spoils more than it gains they move less, or not at all.
+void PanelPlan::smoothSeams() {
+	const CutSurface before = *surface_;
+	const TriangleMesh meshBefore = mesh_;
+	const std::vector<VertexOrigin> originsBefore = origins_;
+	for (const double spread : spreads) {
+		drawSmoothSeams(spread);
+		tests_->relax(1 / shareBeforeSmoothing);
+		divideUntilFlat();
+		tests_->relax(shareBeforeSmoothing);
+		if (tests_->stopped() || cost(*surface_) <= cost(before))
+			return;
+		*surface_ = before;
+		mesh_ = meshBefore;
+		origins_ = originsBefore;
+	}
+}
+
 /// Seams between the same two panels, or the slit of one, need clusters as labels: these say which chains of
 /// the new seams go.
-void PanelPlan::drawSmoothSeams() {
+void PanelPlan::drawSmoothSeams(double edges) {
 	SlitLabels before(*surface_, clusters_);
-	const Memberships spread = memberships(*surface_, before.labels(), before.count(), smoothing,
-										   options_.creaseAngle, keptTriangles());
+	const Memberships spread =
+		memberships(*surface_, before.labels(), before.count(), edges, options_.creaseAngle, keptTriangles());
 	if (!options_.splitTriangles) {
 		CutSurface drawn = *surface_;
 		const std::vector<int> labels = drawn.withoutFragments(withSelectedWhole(mostMembership(spread)));
 		drawn.relabel(labels);
 		before.openWithin(drawn, labels);
 		*surface_ = std::move(drawn);
-		joins_.clear();
 		return;
 	}
 	SplitMesh split = splitAlongSeams(mesh_, *surface_, spread);
@@ -257,23 +296,21 @@ void PanelPlan::drawSmoothSeams() {
 	drawn->relabel(labels);
 	before.openWithin(*drawn, labels);
 	surface_ = std::move(drawn);
-	joins_.clear();
 }
 
 CutResult PanelPlan::run() {
 	makeClusters();
 	clusters_ = surface_->panels();
 	if (!tests_->stopped())
-		joinPanels(*surface_, *tests_, joins_);
-	holdTogether(20, shareBeforeSmoothing, false);
-	if (!tests_->stopped() && countPanels(*surface_) > surface_->assembly().patchCount())
-		drawSmoothSeams();
+		joinPanels(*surface_, *tests_, excessBeyond(shareBeforeSmoothing));
+	if (!tests_->stopped() && !seamChains(*surface_).empty())
+		smoothSeams();
 	if (!tests_->stopped() && options_.darts && options_.splitTriangles)
-		joinWithDarts(*surface_, *tests_, joins_);
-	SewnPanels sewn = holdTogether(40, 1, true);
+		joinWithDarts(*surface_, *tests_, excessBeyond(1));
+	SewnPanels sewn = divideUntilAllHold();
 	if (options_.maxPanels > 0 && countPanels(*surface_) > options_.maxPanels) {
 		joinToSoFew();
-		sewn = holdTogether(0, 1, false);
+		sewn = sewTogether(1, false);
 	}
 	CutResult result;
 	result.report = reportOf(sewn);
@@ -287,9 +324,9 @@ void PanelPlan::joinToSoFew() {
 	constexpr int doublings = 4;
 	for (int i = 0; i < doublings && !tests_->stopped() && countPanels(*surface_) > options_.maxPanels; ++i) {
 		tests_->relax(2);
-		joinPanels(*surface_, *tests_, joins_);
+		joinPanels(*surface_, *tests_, excessBeyond(1));
 		if (options_.darts && options_.splitTriangles)
-			joinWithDarts(*surface_, *tests_, joins_);
+			joinWithDarts(*surface_, *tests_, excessBeyond(1));
 	}
 }
 
@@ -331,6 +368,25 @@ CutReport PanelPlan::reportOf(const SewnPanels& sewn) const {
 									 : "."));
 	}
 	return report;
+}
+
+/// The triangles in the order that they have once the mesh is cut; `face` is their number on the surface.
+TriangleMesh PanelPlan::asCut() const {
+	const CutMesh cut = cutMesh();
+	const std::vector<int> after = cut.facesAfter(1 + *std::max_element(cut.face.begin(), cut.face.end()));
+	TriangleMesh mesh;
+	mesh.face.resize(after.size());
+	std::iota(mesh.face.begin(), mesh.face.end(), 0);
+	std::sort(mesh.face.begin(), mesh.face.end(), [&](int a, int b) { return after[a] < after[b]; });
+	mesh.triangles = cut.triangles(Eigen::all, mesh.face);
+	mesh.positions = Positions::Zero(3, cut.verticesBefore + int(cut.added.size()));
+	for (int corner = 0; corner < int(cut.triangles.size()); ++corner)
+		mesh.positions.col(cut.triangles.data()[corner]) =
+			surface_->positions().col(surface_->assembly().placeAt(corner));
+	mesh.vertexSelected.assign(mesh.vertexCount(), 0);
+	mesh.triangleSelected.assign(mesh.triangleCount(), 0);
+	mesh.leastHeightRatio = mesh_.leastHeightRatio;
+	return mesh;
 }
 
 CutMesh PanelPlan::cutMesh() const {

@@ -32,12 +32,16 @@ private:
 	bool divideInTwo(int panel);
 	void joinToSoFew();
 
-	SewnPanels holdTogether(int rounds, double share, bool mayDivide);
-	void drawSmoothSeams();
+	SewnPanels sewTogether(double share, bool brief);
+	SewnExcess excessBeyond(double share);
+	SewnPanels divideUntilAllHold();
+	void smoothSeams();
+	void drawSmoothSeams(double edges);
 	Progress progressOfRest();
 
 	CutReport reportOf(const SewnPanels& sewn) const;
 	CutMesh cutMesh() const;
+	TriangleMesh asCut() const;
 
 	const CutOptions options_;
 	TriangleMesh mesh_; // vertices are copies of the mesh that was given, and points on its edges
@@ -47,7 +51,6 @@ private:
 	std::unique_ptr<CutSurface> surface_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
-	Joins joins_;
 };
 
 } // namespace developable::detail

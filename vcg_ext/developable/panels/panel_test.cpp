@@ -26,8 +26,8 @@ bool isSheet(const PatchAssembly& assembly) {
 /// Long runs are for shapes that a user asks for: what a panel needs is near.
 ConstrainedNewtonOptions briefRun() {
 	ConstrainedNewtonOptions options;
-	options.maxIterations = 40;
-	options.tuning.attempts = 2;
+	options.maxIterations = 30;
+	options.tuning.attempts = 1;
 	return options;
 }
 

@@ -41,7 +41,9 @@ public:
 
 private:
 	bool onBorder(int copy) const { return !surface_.assembly().copyInterior[copy]; }
-	bool isEnd(int copy) const { return atCopy_.size(copy) != 2 || onBorder(copy); }
+	bool isEnd(int copy) const {
+		return atCopy_.size(copy) != 2 || onBorder(copy) || surface_.isSharpPoint(copy);
+	}
 	bool isFree(int copy) const { return atCopy_.size(copy) == 1 && !onBorder(copy); }
 
 	SeamChain walk(int halfEdge, int from) {

@@ -9,7 +9,7 @@
 namespace developable::detail {
 
 /// A curve of cuts between the same two panels, or within one, that ends at a border, where other cuts begin,
-/// or inside a panel.
+/// at a sharp point, or inside a panel.
 struct SeamChain {
 	std::vector<int> halfEdges; ///< one of each edge, in order
 	std::array<int, 2> panels = {-1, -1};

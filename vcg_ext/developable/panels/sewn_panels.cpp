@@ -4,30 +4,53 @@
 
 #include "developable/newton/constrained_newton.h"
 
-#include <numeric>
-
 namespace developable::detail {
 
-SewnPanels developSewnPanels(const CutSurface& surface, const std::vector<double>& maxDisplacement,
+namespace {
+
+/// A panel without a border can't be made developable. \return whether there is any
+bool markClosed(const PatchAssembly& assembly, const CutSurface& surface, SewnPanels& result) {
+	bool any = false;
+	for (int t = 0; t < assembly.triangleCount(); ++t) {
+		CutPanel& panel = result.panels[surface.panelOf(assembly.faceOfTriangle[t])];
+		++panel.triangles;
+		panel.developable = !assembly.patches[assembly.patchOfTriangle[t]].closed();
+		if (panel.developable)
+			continue;
+		any = true;
+		panel.maxDisplacement = boxDiagonal(surface.positions());
+		panel.curvatureAfter = 4 * pi; // of a closed surface it is never less
+	}
+	return any;
+}
+
+} // namespace
+
+SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
+							 const std::vector<double>& maxDisplacement, bool brief,
 							 const Progress& progress) {
-	std::vector<int> all(surface.assembly().triangleCount());
-	std::iota(all.begin(), all.end(), 0);
-	const PatchAssembly assembly = assemblePatches(surface.meshOf(all), {});
+	const PatchAssembly assembly = assemblePatches(mesh, {});
+	SewnPanels result;
+	result.panels.resize(surface.panelCount());
+	if (markClosed(assembly, surface, result))
+		return result;
 	Positions positions = assembly.originalPositions;
 	const Eigen::VectorXd before = angleDefects(assembly, positions);
-	const ConstrainedNewtonOptions options;
+	ConstrainedNewtonOptions options;
+	if (brief) {
+		options.maxIterations = 40;
+		options.tuning.attempts = 1;
+	}
 	const ConstrainedNewtonReport run = constrainedNewton(assembly, positions, options, progress);
 	const Eigen::VectorXd after = angleDefects(assembly, positions);
 	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
 
-	SewnPanels result;
 	result.status = run.status;
 	result.meanDisplacement = moves.mean();
 	result.maxDisplacement = moves.maxCoeff();
-	result.panels.resize(surface.panelCount());
 	std::vector<int> panelOfPatch(assembly.patchCount());
 	for (int t = 0; t < assembly.triangleCount(); ++t)
-		panelOfPatch[assembly.patchOfTriangle[t]] = surface.panelOf(t);
+		panelOfPatch[assembly.patchOfTriangle[t]] = surface.panelOf(assembly.faceOfTriangle[t]);
 	const auto patchOf = [&](int panel) {
 		return surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()];
 	};

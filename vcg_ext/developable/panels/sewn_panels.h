@@ -15,8 +15,13 @@ struct SewnPanels {
 	double maxDisplacement = 0;
 };
 
+/// \param mesh             the panels as the user will have them: what comes out depends a little on the
+/// order
+///                         of vertices; its `face` are triangles of the surface
 /// \param maxDisplacement  per patch of the surface
-SewnPanels developSewnPanels(const CutSurface& surface, const std::vector<double>& maxDisplacement,
+/// \param brief            a run that gives up early
+SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
+							 const std::vector<double>& maxDisplacement, bool brief,
 							 const Progress& progress);
 
 } // namespace developable::detail

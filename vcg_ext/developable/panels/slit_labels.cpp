@@ -2,6 +2,7 @@
 // slit_labels.cpp: which seams between clusters were open, by where they ran.
 #include "slit_labels.h"
 
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -24,22 +25,26 @@ SlitLabels::SlitLabels(const CutSurface& surface, const std::vector<int>& cluste
 }
 
 void SlitLabels::openWithin(CutSurface& other, const std::vector<int>& labels) const {
-	for (bool any = true; any;) {
-		any = false;
-		for (const SeamChain& chain : seamChains(other)) {
-			const int a = labels[triangleOf(chain.halfEdges.front())];
-			const int b = labels[triangleOf(other.assembly().across(chain.halfEdges.front()))];
-			if ((chain.within() && !chain.isDart()) || panelOfLabel_[a] != panelOfLabel_[b] ||
-				!wasOpen(other, chain, a, b))
-				continue;
-			other.join(chain.halfEdges);
-			any = true;
-			break;
-		}
+	std::vector<SeamChain> open, unknown;
+	for (const SeamChain& chain : seamChains(other)) {
+		const int a = labels[triangleOf(chain.halfEdges.front())];
+		const int b = labels[triangleOf(other.assembly().across(chain.halfEdges.front()))];
+		if (panelOfLabel_[a] != panelOfLabel_[b])
+			continue;
+		const Evidence evidence = wasOpen(other, chain, a, b);
+		if (evidence != Evidence::Cut)
+			(evidence == Evidence::Open ? open : unknown).push_back(chain);
 	}
+	for (const SeamChain& chain : open)
+		other.join(chain.halfEdges);
+	for (const SeamChain& chain : unknown) // never so that a ring comes of it
+		if (other.panelOf(triangleOf(chain.halfEdges.front())) !=
+			other.panelOf(triangleOf(other.assembly().across(chain.halfEdges.front()))))
+			other.join(chain.halfEdges);
 }
 
-bool SlitLabels::wasOpen(const CutSurface& other, const SeamChain& chain, int a, int b) const {
+SlitLabels::Evidence SlitLabels::wasOpen(const CutSurface& other, const SeamChain& chain, int a,
+										 int b) const {
 	const Eigen::Vector3d at = other.middleOf(chain.halfEdges[chain.halfEdges.size() / 2]);
 	double toOpen = std::numeric_limits<double>::infinity(), toCut = toOpen;
 	for (int h = 0; h < 3 * surface_.assembly().triangleCount(); ++h) {
@@ -49,7 +54,9 @@ bool SlitLabels::wasOpen(const CutSurface& other, const SeamChain& chain, int a,
 		double& nearest = surface_.isCut(h) ? toCut : toOpen;
 		nearest = std::min(nearest, (surface_.middleOf(h) - at).norm());
 	}
-	return toOpen <= toCut; // both are infinite where clusters meet that did not
+	if (std::isinf(toOpen) && std::isinf(toCut))
+		return Evidence::None;
+	return toOpen <= toCut ? Evidence::Open : Evidence::Cut;
 }
 
 } // namespace developable::detail

@@ -21,8 +21,11 @@ public:
 	void openWithin(CutSurface& other, const std::vector<int>& labels) const;
 
 private:
-	/// Nearer to where the seam between two labels was open than to where it was cut.
-	bool wasOpen(const CutSurface& other, const SeamChain& chain, int a, int b) const;
+	enum class Evidence { Open, Cut, None };
+
+	/// Whether it is nearer to where two labels met openly or to where they were cut; none when they did not
+	/// meet.
+	Evidence wasOpen(const CutSurface& other, const SeamChain& chain, int a, int b) const;
 
 	const CutSurface& surface_;
 	std::vector<int> labels_;
