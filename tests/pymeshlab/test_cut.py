@@ -62,10 +62,11 @@ def test_quality_colours_and_other_attributes(meshes_of_a_box):
     report = meshes.apply_filter(CUT)
     mesh = meshes.current_mesh()
     after = np.array(mesh.vertex_matrix())
-    assert report["panels"] >= 1 and len(after) > len(positions)
+    assert report["panels"] >= 1
+    assert len(after) > len(positions)
     assert np.allclose(mesh.vertex_custom_scalar_attribute_array("x"), after[:, 0])
     numbers = np.array(mesh.face_custom_scalar_attribute_array("number"))
-    assert set(numbers) == set(range(before.face_number())) or set(numbers) >= set(range(12))
+    assert set(numbers) == set(range(12))
     panel = np.array(mesh.face_custom_scalar_attribute_array("panel"))
     assert np.array_equal(panel, mesh.face_scalar_array())
     places = {tuple(position) for position in after}
@@ -109,5 +110,6 @@ def test_from_a_scan_to_patterns_by_one_command(tmp_path, sphere, capsys):
         )
     assert ended.value.code in (0, None)
     said = json.loads(capsys.readouterr().out)
-    assert said["pieces"] > 1 and said["max_edge_strain"] < 1e-3
+    assert said["pieces"] > 1
+    assert said["max_edge_strain"] < 1e-3
     assert (tmp_path / "out" / "scan.dxf").stat().st_size > 0
