@@ -2,7 +2,7 @@
 """Cuts every mesh of a folder into panels, makes them developable, lays them flat, and prints a table.
 
 `bash bench/run.sh cut FOLDER [name=value...]`, with parameters of the filter. Seams and distances are shares
-of the diagonal D of the input's box; distances are those of the result's vertices to the input's surface. Beside
+of the diagonal D of the input's box; distances are from the result's vertices to the input's surface. Beside
 it the charts of xatlas with its defaults, on the same mesh: how many, and how long their seams are.
 """
 
