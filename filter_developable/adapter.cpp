@@ -154,6 +154,9 @@ int changedElements(const FilterDescription& filter) {
 		return shown | moved;
 	case Change::Scalars:
 		return shown;
+	case Change::Panels:
+		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEQUALITY |
+			   MeshModel::MM_FACECOLOR;
 	case Change::Faces:
 		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
 	case Change::TextureCoordinates:

@@ -42,7 +42,7 @@ struct Parameter {
 enum class FilterClass { Smoothing, Quality, Remeshing, Texture };
 
 /// What a filter changes when it succeeds.
-enum class Change { Positions, Scalars, Faces, TextureCoordinates };
+enum class Change { Positions, Scalars, Faces, TextureCoordinates, Panels };
 
 struct FilterDescription {
 	std::string name;       ///< in menus and in .mlx scripts

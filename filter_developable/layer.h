@@ -27,6 +27,10 @@ public:
 
 	void enableVertexQuality() { model_.updateDataMask(MeshModel::MM_VERTQUALITY); }
 	void enableVertexColours() { model_.updateDataMask(MeshModel::MM_VERTCOLOR); }
+	void enableFaceQuality() { model_.updateDataMask(MeshModel::MM_FACEQUALITY); }
+	void enableFaceColours() { model_.updateDataMask(MeshModel::MM_FACECOLOR); }
+	bool hasTextureCoordinates() const { return model_.hasDataMask(MeshModel::MM_WEDGTEXCOORD); }
+	bool hasVertexTextureCoordinates() const { return model_.hasDataMask(MeshModel::MM_VERTTEXCOORD); }
 	void enableTextureCoordinates() { model_.updateDataMask(MeshModel::MM_WEDGTEXCOORD); }
 
 private:

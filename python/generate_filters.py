@@ -56,7 +56,8 @@ from typing import Literal
 
 import numpy.typing as npt
 
-from meshlab_developable import flattening, methods
+from meshlab_developable import cutting, flattening, methods
+from meshlab_developable.cutting import CutPanels
 from meshlab_developable.declarations import implemented_by
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Source
@@ -66,6 +67,7 @@ from meshlab_developable.methods import Developed, Measured
 # Functions whose **parameters are those of filters, by module: the filters' short names.
 FUNCTIONS = {
     "methods": {"measure": ("maps",), "make_developable": ("global", "local")},
+    "cutting": {"cut_into_panels": ("cut",)},
     "flattening": {"flatten": ("flatten",)},
 }
 DOCSTRING_WIDTH = 104

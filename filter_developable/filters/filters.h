@@ -10,13 +10,14 @@ FilterDescription globalDevelopability();
 FilterDescription localDevelopability();
 FilterDescription developabilityMaps();
 FilterDescription patchFlattening();
+FilterDescription panelCutting();
 #ifdef DEVELOPABLE_HAS_CGAL
 FilterDescription polygonTriangulation();
 #endif
 
 inline std::vector<FilterDescription> allFilters() {
 	return {
-		globalDevelopability(), localDevelopability(), developabilityMaps(), patchFlattening(),
+		globalDevelopability(), localDevelopability(), developabilityMaps(), patchFlattening(), panelCutting(),
 #ifdef DEVELOPABLE_HAS_CGAL
 		polygonTriangulation(),
 #endif

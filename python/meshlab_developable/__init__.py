@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes panels of a triangle mesh developable, moving the surface little (Wang and Tang 2004).
 
-`load()` brings the filters into this process's pymeshlab; `measure`, `make_developable` and `flatten` take
-and return NumPy arrays; `meshlab_developable.patterns` writes flat panels as patterns to cut and sew.
+`load()` brings the filters into this process's pymeshlab; `measure`, `make_developable`, `cut_into_panels`
+and `flatten` take and return NumPy arrays; `meshlab_developable.patterns` writes flat panels as patterns to
+cut and sew.
 """
 
+from meshlab_developable.cutting import CutPanels, CutReport, Panel
 from meshlab_developable.errors import (
     DevelopableError,
     FilterError,
@@ -29,11 +31,13 @@ from meshlab_developable.reports import (
     Status,
 )
 from meshlab_developable.sewing import Seam
-from meshlab_developable.signatures import flatten, make_developable, measure
+from meshlab_developable.signatures import cut_into_panels, flatten, make_developable, measure
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "CutPanels",
+    "CutReport",
     "DevelopableError",
     "Developed",
     "FilterError",
@@ -47,12 +51,14 @@ __all__ = [
     "Measures",
     "OptimizationReport",
     "PanelReport",
+    "Panel",
     "PatternError",
     "PatternReport",
     "PluginNotFoundError",
     "Seam",
     "Status",
     "WriteError",
+    "cut_into_panels",
     "flatten",
     "load",
     "make_developable",

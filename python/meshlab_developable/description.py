@@ -330,6 +330,120 @@ FLATTEN = Filter(
     ),
 )
 
+CUT = Filter(
+    "cut",
+    "Cut into Developable Panels",
+    "meshing_cut_into_developable_panels",
+    (
+        Parameter(
+            "patches",
+            Choice(("Connected components", "Face colour", "Texture islands", "Face quality")),
+            "Connected components",
+            "",
+            "What separates the patches: nothing but gaps, or also edges between faces of different colour, texture island or quality.",
+        ),
+        Parameter(
+            "weld_distance",
+            Length(),
+            0.0,
+            "length",
+            "Vertices at most this far apart are linked and move as one; 0 links only those with equal coordinates.",
+        ),
+        Parameter(
+            "only_selected",
+            Boolean(),
+            False,
+            "",
+            "Work on the patches that have a selected face; the others hold still.",
+        ),
+        Parameter(
+            "keep_selected_whole", Boolean(), False, "", "No seam and no dart crosses a selected face."
+        ),
+        Parameter(
+            "max_displacement",
+            Length(automatic=True),
+            -1.0,
+            "length",
+            "How far a vertex may move when the panels are made developable; -1 means 2 % of the diagonal of each part.",
+        ),
+        Parameter(
+            "material",
+            Choice(
+                (
+                    "Custom",
+                    "Sheet steel",
+                    "Sheet aluminium",
+                    "Plywood",
+                    "Leather",
+                    "Woven cloth",
+                    "Knit",
+                    "Paper",
+                )
+            ),
+            "Custom",
+            "",
+            "What the panels are made of, which says how far they may be stretched and compressed.",
+        ),
+        Parameter(
+            "allowed_stretch",
+            Number(minimum=-1),
+            -1.0,
+            "%",
+            "By how much the material may be longer on the shape than in the flat pattern; -1 means what the material bears.",
+        ),
+        Parameter(
+            "allowed_compression",
+            Number(minimum=-1),
+            -1.0,
+            "%",
+            "By how much the material may be shorter on the shape than in the flat pattern; -1 means what the material bears.",
+        ),
+        Parameter(
+            "grain",
+            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            "Longest seam",
+            "",
+            "Which way the grain, the warp of a cloth, runs in every panel.",
+        ),
+        Parameter(
+            "max_panels",
+            Whole(),
+            0,
+            "",
+            "So many panels at most, even if some then can't be made developable within the largest displacement; 0 means as many as it takes.",
+        ),
+        Parameter(
+            "darts",
+            Boolean(),
+            True,
+            "",
+            "Where a cut from the border is enough a panel stays whole and gets a dart.",
+        ),
+        Parameter(
+            "crease_angle",
+            Number(maximum=180),
+            40.0,
+            "°",
+            "Seams like to lie on edges whose faces make a sharper turn than this.",
+        ),
+        Parameter(
+            "symmetric",
+            Boolean(),
+            False,
+            "",
+            "Left and right panels of a surface that is its own mirror image mirror each other; this does not work yet.",
+        ),
+        Parameter(
+            "cut",
+            Boolean(),
+            True,
+            "",
+            "Double the vertices along seams and darts, and split faces where seams cross them; else faces are only labelled.",
+        ),
+        Parameter("colorize", Boolean(), True, "", "Colour the faces by panel."),
+    ),
+)
+
 TRIANGULATE = Filter(
     "triangulate",
     "Triangulate Polygons (Constrained Delaunay)",
@@ -337,7 +451,7 @@ TRIANGULATE = Filter(
     (),
 )
 
-FILTERS = (GLOBAL, LOCAL, MAPS, FLATTEN, TRIANGULATE)
+FILTERS = (GLOBAL, LOCAL, MAPS, FLATTEN, CUT, TRIANGULATE)
 
 
 class Status(enum.IntEnum):

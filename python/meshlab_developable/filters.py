@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from meshlab_developable.description import FILTERS, FLATTEN, GLOBAL, LOCAL, MAPS, TRIANGULATE
+from meshlab_developable.description import CUT, FILTERS, FLATTEN, GLOBAL, LOCAL, MAPS, TRIANGULATE
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.parameters import Filter
 
-__all__ = ["FILTERS", "FLATTEN", "GLOBAL", "LOCAL", "MAPS", "TRIANGULATE", "Filter", "find_filter"]
+__all__ = ["CUT", "FILTERS", "FLATTEN", "GLOBAL", "LOCAL", "MAPS", "TRIANGULATE", "Filter", "find_filter"]
 
 
 def find_filter(name: str) -> Filter:

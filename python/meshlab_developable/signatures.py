@@ -9,7 +9,8 @@ from typing import Literal
 
 import numpy.typing as npt
 
-from meshlab_developable import flattening, methods
+from meshlab_developable import cutting, flattening, methods
+from meshlab_developable.cutting import CutPanels
 from meshlab_developable.declarations import implemented_by
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Source
@@ -154,6 +155,73 @@ def make_developable(
             all panels that meet there.
         avoid_self_intersections (only for 'local'): Shorten or refuse moves that would make the surface cut
             itself.
+    """
+    raise NotImplementedError
+
+
+@implemented_by(cutting.cut_into_panels)
+def cut_into_panels(
+    vertices: Source,
+    faces: npt.ArrayLike | None = None,
+    *,
+    only_selected: npt.ArrayLike | None = None,
+    keep_selected_whole: npt.ArrayLike | None = None,
+    face_labels: npt.ArrayLike | None = None,
+    texture_coordinates: npt.ArrayLike | None = None,
+    patches: Literal[
+        "Connected components", "Face colour", "Texture islands", "Face quality"
+    ] = "Connected components",
+    weld_distance: float = 0.0,
+    max_displacement: float = -1.0,
+    material: Literal[
+        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
+    ] = "Custom",
+    allowed_stretch: float = -1.0,
+    allowed_compression: float = -1.0,
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
+    max_panels: int = 0,
+    darts: bool = True,
+    crease_angle: float = 40.0,
+    symmetric: bool = False,
+    cut: bool = True,
+    colorize: bool = True,
+) -> CutPanels:
+    """Cut a surface, open or closed, into few panels that can be made developable, with short seams.
+
+    vertices: n x 3, any unit of length. faces: m x 3 indices from 0. Or, in place of the two, a file that
+    pymeshlab, trimesh or meshio reads, or an object of trimesh or meshio. Nothing is moved. Vertices along
+    seams are doubled and coincide, so that `make_developable` and `flatten` take the result as it is.
+
+    only_selected: m of bool; only the patches with such a face are cut. keep_selected_whole: m of bool; no
+    seam crosses these faces. face_labels: m of any kind; patches meet where labels differ, and are only cut
+    further. texture_coordinates: n x 2, or m x 3 x 2 at the faces' corners; patches are the texture islands.
+    Other parameters are those of the filter Cut into Developable Panels; lengths are plain numbers in the
+    mesh's unit.
+
+    Raises InvalidMeshError, InvalidParameterError, FilterError and what `load` raises.
+
+    Parameters of the filter:
+        patches: What separates the patches: nothing but gaps, or also edges between faces of different
+            colour, texture island or quality.
+        weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
+            those with equal coordinates.
+        max_displacement (length): How far a vertex may move when the panels are made developable; -1 means
+            2 % of the diagonal of each part.
+        material: What the panels are made of, which says how far they may be stretched and compressed.
+        allowed_stretch (%): By how much the material may be longer on the shape than in the flat pattern;
+            -1 means what the material bears.
+        allowed_compression (%): By how much the material may be shorter on the shape than in the flat
+            pattern; -1 means what the material bears.
+        grain: Which way the grain, the warp of a cloth, runs in every panel.
+        max_panels: So many panels at most, even if some then can't be made developable within the largest
+            displacement; 0 means as many as it takes.
+        darts: Where a cut from the border is enough a panel stays whole and gets a dart.
+        crease_angle (°; ≤ 180): Seams like to lie on edges whose faces make a sharper turn than this.
+        symmetric: Left and right panels of a surface that is its own mirror image mirror each other; this
+            does not work yet.
+        cut: Double the vertices along seams and darts, and split faces where seams cross them; else faces
+            are only labelled.
+        colorize: Colour the faces by panel.
     """
     raise NotImplementedError
 

@@ -17,6 +17,7 @@ COMMANDS = {  # name: module beside this one
     "measure": "measure",
     "global": "global_method",
     "local": "local_method",
+    "cut": "cut",
     "flatten": "flatten",
     "pattern": "pattern",
     "script": "script",

@@ -12,8 +12,14 @@ import click
 from meshlab_developable import mesh_sets
 from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
-from meshlab_developable.filters import FLATTEN
+from meshlab_developable.filters import CUT, FLATTEN
+from meshlab_developable.mesh_sets import Array, IndexArray
 from meshlab_developable.patterns.options import COPIES, FORMATS, OUTLINES, PAPERS, TURNS, UNITS, Size
+
+# Parameters that the cut shares with laying flat, and those that have no say in it.
+NOT_OF_CUT = [parameter.name for parameter in FLATTEN.parameters] + ["cut", "grain"]
+OF_CUT = [parameter.name for parameter in CUT.parameters if parameter.name not in NOT_OF_CUT]
+SHARED_WITH_CUT = ("patches", "weld_distance", "only_selected")
 
 
 def _numbers(text: str, separator: str, count: int) -> tuple[float, ...] | None:
@@ -76,6 +82,18 @@ def _question_of_unit(mesh: Path) -> str:
         f"a mesh does not say what its unit is, so that {mesh.name} may be {sizes}: say which with --unit, "
         f"one of {', '.join(UNITS)}, or how many mm"
     )
+
+
+def _developed_panels(mesh: Path, cut: bool, parameters: dict[str, Any]) -> tuple[Array, IndexArray]:
+    """Vertices and faces of the mesh's panels, made developable; takes the cut's own from the parameters."""
+    from meshlab_developable.cutting import developed_panels
+
+    of_cut = {name: parameters.pop(name) for name in (*OF_CUT, *SHARED_WITH_CUT) if name in parameters}
+    if not cut:
+        names = ", ".join(name for name in of_cut if name in OF_CUT)
+        raise InvalidParameterError(f"{names} only count when the mesh is cut: give --cut too")
+    vertices, faces, _ = developed_panels(mesh, **of_cut)
+    return vertices, faces
 
 
 @click.command(name="pattern")
@@ -157,9 +175,15 @@ def _question_of_unit(mesh: Path) -> str:
     type=float,
     help="Pieces with an edge whose length changes by more, in per cent, are refused.  [default: 5]",
 )
+@click.option(
+    "--cut",
+    is_flag=True,
+    help="First cut the mesh into panels, and make these developable.",
+)
+@shared.filter_options(CUT, without=NOT_OF_CUT)
 @shared.filter_options(FLATTEN, without=["gap", "grain", "map", "write_texture_coordinates", "colorize"])
 @shared.json_option
-def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options: Any) -> None:
+def command(mesh: Path, output: Path, name: str | None, as_json: bool, cut: bool, **options: Any) -> None:
     """Write panels, laid flat at true size, as patterns to print, cut and sew.
 
     SVG, PDF (whole sheets, and tiles for an office printer), DXF for garment CAD (ASTM D6673, AAMA), and JSON
@@ -171,6 +195,7 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
     \b
     Examples:
       developable pattern shoe.ply --output patterns --unit cm
+      developable pattern scan.ply --cut --output patterns --unit mm
       developable pattern pants.obj -o patterns --unit cm --sheet 1400x2000 --grain z --turns none
       developable pattern boat.ply -o patterns --unit m --seam-allowance 0 --format dxf --json
     """
@@ -186,7 +211,10 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, **options
             raise InvalidParameterError(f"there is no folder {output.parent} to make {output.name} in")
         if "unit" not in parameters:
             raise InvalidParameterError(_question_of_unit(mesh))
-        made = make_patterns(mesh, folder=output, name=name or mesh.stem, **parameters)
+        source: Any = (mesh,)
+        if cut or not parameters.keys().isdisjoint(OF_CUT):
+            source = _developed_panels(mesh, cut, parameters)
+        made = make_patterns(*source, folder=output, name=name or mesh.stem, **parameters)
     values = {
         "pieces": len(made.piece_names),
         "sheets": len(made.sheets),

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cuts every mesh of a folder into panels, makes them developable, lays them flat, and prints a table.
+
+`bash bench/run.sh cut FOLDER [name=value...]`, with parameters of the filter. Seams and distances are shares
+of the diagonal D of the input's box; distances are from the result's vertices to the input's surface. Beside
+it the charts of xatlas with its defaults, on the same mesh: how many, and how long their seams are.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import meshlab_developable
+import numpy as np
+import trimesh
+import xatlas
+from common import print_head, print_row
+from meshlab_developable import mesh_sets
+
+SUFFIXES = {".obj", ".ply", ".off", ".stl"}
+HEAD = (
+    "mesh", "triangles", "panels", "darts", "seams, D", "mean distance, %", "largest, %", "C, rad",
+    "largest strain", "overlapping", "s", "xatlas charts", "xatlas seams, D",
+)  # fmt: skip
+
+
+def main() -> None:
+    """Print the table."""
+    folder, *assignments = sys.argv[1:]
+    parameters = {name: float(value) for name, value in (text.split("=") for text in assignments)}
+    print_head(HEAD)
+    for path in sorted(path for path in Path(folder).iterdir() if path.suffix.lower() in SUFFIXES):
+        try:
+            print_row(path.stem, *measured(path, parameters))
+        except meshlab_developable.DevelopableError as error:
+            print_row(path.stem, str(error))
+
+
+def measured(path: Path, parameters: dict[str, Any]) -> list[object]:
+    """The row of a mesh, but for its name."""
+    mesh = mesh_sets.open_mesh(path).current_mesh()
+    vertices, faces = np.array(mesh.vertex_matrix()), np.array(mesh.face_matrix())
+    diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    start = time.perf_counter()
+    cut = meshlab_developable.cut_into_panels(vertices, faces, **parameters)
+    seconds = time.perf_counter() - start
+    developed = meshlab_developable.make_developable(cut.vertices, cut.faces)
+    flat = meshlab_developable.flatten(developed.vertices, developed.faces)
+    surface = trimesh.Trimesh(vertices, faces, process=False)
+    distances = trimesh.proximity.closest_point(surface, developed.vertices)[1] / diagonal
+    charts, seams = xatlas_charts(vertices, faces)
+    return [
+        len(faces),
+        len(cut.report.panels),
+        cut.report.darts,
+        f"{cut.report.seam_length / diagonal:.2f}",
+        f"{100 * distances.mean():.2f}",
+        f"{100 * distances.max():.2f}",
+        f"{developed.report.total_absolute_curvature_after:.1e}",
+        f"{flat.report.max_edge_strain:.1e}",
+        flat.report.overlapping_pieces,
+        f"{seconds:.1f}",
+        charts,
+        f"{seams / diagonal:.2f}",
+    ]
+
+
+def xatlas_charts(vertices: Any, faces: Any) -> tuple[int, float]:
+    """How many charts xatlas makes, and the length of edges along which they were cut apart."""
+    origins, corners, _ = xatlas.parametrize(vertices, faces)
+    charts = trimesh.Trimesh(vertices[origins], corners, process=False)
+    welded = trimesh.Trimesh(vertices, origins[corners].astype(int), process=False)
+    parts = trimesh.graph.connected_components(charts.face_adjacency, nodes=np.arange(len(corners)))
+    return len(parts), (border_length(charts) - border_length(welded)) / 2
+
+
+def border_length(mesh: trimesh.Trimesh) -> float:
+    """The length of edges that one face has."""
+    _, first, count = np.unique(mesh.edges_sorted, axis=0, return_index=True, return_counts=True)
+    ends = mesh.vertices[mesh.edges_sorted[first[count == 1]]]
+    return float(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum())
+
+
+if __name__ == "__main__":
+    main()

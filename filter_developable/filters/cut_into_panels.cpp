@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// cut_into_panels.cpp: the filter Cut into Developable Panels.
+#include "../cut_layer.h"
+#include "../shared_parameters.h"
+#include "filters.h"
+
+#include "developable/panels/cut_into_panels.h"
+#include "developable/vcg_mesh/vcg_mesh.h"
+
+#include <chrono>
+
+namespace developable::plugin {
+
+namespace {
+
+/// What allowed strain will be told by. The values that do not work yet are refused in one place.
+std::vector<Parameter> materialParameters() {
+	return {
+		enumeration("material",
+					{"Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit",
+					 "Paper"},
+					0, "Material",
+					"What the panels are made of, which says how far they may be stretched and compressed."),
+		floatParameter(
+			"allowed_stretch", -1, {-1}, "%", "Allowed stretch",
+			"By how much the material may be longer on the shape than in the flat pattern; -1 means "
+			"what the material bears. That is 0 for Custom."),
+		floatParameter(
+			"allowed_compression", -1, {-1}, "%", "Allowed compression",
+			"By how much the material may be shorter on the shape than in the flat pattern; -1 means "
+			"what the material bears. That is 0 for Custom."),
+		enumeration("grain", {"Longest seam", "X axis", "Y axis", "Z axis"}, 0, "Grain",
+					"Which way the grain, the warp of a cloth, runs in every panel."),
+	};
+}
+
+/// What is a parameter already and does not work yet.
+void refuseWhatDoesNotWork(const ParameterValues& values) {
+	if (values.boolean("symmetric"))
+		throw InvalidParameter("Symmetric panels do not work yet: switch 'symmetric' off.");
+	if (values.integer("material") != 0 || values.number("allowed_stretch") > 0 ||
+		values.number("allowed_compression") > 0)
+		throw InvalidParameter("Panels that may be strained do not work yet in this filter: leave 'material' "
+							   "at Custom, and 'allowed_stretch' and 'allowed_compression' at -1 or 0.");
+}
+
+CutOptions optionsOf(const ParameterValues& values) {
+	CutOptions options;
+	options.maxDisplacement = values.number("max_displacement");
+	options.maxPanels = values.integer("max_panels");
+	options.darts = values.boolean("darts");
+	options.creaseAngle = values.number("crease_angle");
+	options.keepSelected = values.boolean("keep_selected_whole");
+	options.splitTriangles = values.boolean("cut");
+	return options;
+}
+
+Results resultsOf(const CutReport& report, double seconds) {
+	return {
+		{"panels", static_cast<int>(report.panels.size()), ""},
+		{"darts", report.darts, ""},
+		{"seam_length", report.seamLength, ""},
+		{"smallest_panel_area", report.smallestPanelArea, ""},
+		{"mean_displacement", report.meanDisplacement, ""},
+		{"max_displacement", report.maxDisplacement, ""},
+		{"converged", converged(report.status), ""},
+		{"status", static_cast<int>(report.status), describe(report.status)},
+		{"seconds", seconds, ""},
+	};
+}
+
+Results run(FilterCall& call) {
+	const auto start = std::chrono::steady_clock::now();
+	refuseWhatDoesNotWork(call.values);
+	const PatchOptions patches = patchOptions(call.values);
+	const TriangleMesh mesh = readTriangles(call.layer.mesh(), patches.seams);
+	const CutResult result = cutIntoPanels(mesh, patches, optionsOf(call.values), call.progress);
+	if (result.report.status != Status::Stopped) {
+		std::vector<int> faces = result.mesh.face;
+		if (call.values.boolean("cut")) {
+			faces = result.mesh.facesAfter(static_cast<int>(call.layer.mesh().face.size()));
+			cutLayer(call.layer, result.mesh);
+		}
+		labelPanels(call.layer, result, faces);
+		if (call.values.boolean("colorize"))
+			colourPanels(call.layer, result, faces);
+		for (const std::string& note : result.report.notes)
+			call.log(note);
+	}
+	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+	return resultsOf(result.report, elapsed.count());
+}
+
+std::vector<Parameter> parameters() {
+	std::vector<Parameter> result = {
+		patchesParameter(),
+		weldDistanceParameter(),
+		onlySelectedParameter(),
+		boolParameter("keep_selected_whole", false, "Keep selected faces whole",
+					  "No seam and no dart crosses a selected face."),
+		automaticLength("max_displacement", "Largest displacement",
+						"How far a vertex may move when the panels are made developable; -1 means 2 % of the "
+						"diagonal of each part. A part is what shares vertices or is sewn together."),
+	};
+	const std::vector<Parameter> materials = materialParameters();
+	result.insert(result.end(), materials.begin(), materials.end());
+	const std::vector<Parameter> others = {
+		intParameter("max_panels", 0, 0, "Largest number of panels",
+					 "So many panels at most, even if some then can't be made developable within the largest "
+					 "displacement; 0 means as many as it takes."),
+		boolParameter("darts", true, "Darts",
+					  "Where a cut from the border is enough a panel stays whole and gets a dart."),
+		floatParameter("crease_angle", 40, {0, false, 180}, "°", "Crease angle",
+					   "Seams like to lie on edges whose faces make a sharper turn than this."),
+		boolParameter(
+			"symmetric", false, "Symmetric",
+			"Left and right panels of a surface that is its own mirror image mirror each other; this does not work "
+			"yet."),
+		boolParameter(
+			"cut", true, "Cut",
+			"Double the vertices along seams and darts, and split faces where seams cross them; else "
+			"faces are only labelled. Doubled vertices coincide, so that they stay sewn."),
+		boolParameter("colorize", true, "Colour the faces", "Colour the faces by panel."),
+	};
+	result.insert(result.end(), others.begin(), others.end());
+	return result;
+}
+
+} // namespace
+
+FilterDescription panelCutting() {
+	FilterDescription filter;
+	filter.name = "Cut into Developable Panels";
+	filter.pythonName = "meshing_cut_into_developable_panels";
+	filter.shortName = "cut";
+	filter.filterClass = FilterClass::Remeshing;
+	filter.change = Change::Panels;
+	filter.help =
+		"Cuts a surface, open or closed, into few <b>panels</b> that can each be made developable without any "
+		"vertex moving farther than the largest displacement, along short and smooth seams and <b>darts</b>. "
+		"Nothing moves: the faces get the number of their panel as quality and a colour for each, and vertices "
+		"along seams and darts are doubled, which coincide and so stay sewn. Run <b>Global Developability</b> "
+		"next, with its defaults, and then <b>Flatten Patches</b>.<br><br>"
+		"Clusters of faces with like normals are joined across their longest seams, wherever the constrained "
+		"Newton method still makes the union developable and it lies flat without overlap. Seams are then drawn "
+		"as smooth curves, across faces where need be. Panels that are there are only cut further.<br><br>"
+		"See: <i>D. Cohen-Steiner, P. Alliez, M. Desbrun</i>, <b>Variational Shape Approximation</b>, ACM "
+		"Transactions on Graphics 23, 2004, for the clusters.";
+	filter.parameters = parameters();
+	filter.run = run;
+	return filter;
+}
+
+} // namespace developable::plugin

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cut into Developable Panels: the whole way from a closed model, and what becomes of attributes."""
+
+from __future__ import annotations
+
+import json
+
+import meshlab_developable
+import numpy as np
+import pymeshlab
+import pytest
+from meshlab_developable import Status
+from meshlab_developable.command_line import main
+
+CUT = "meshing_cut_into_developable_panels"
+
+
+@pytest.fixture(scope="module")
+def sphere():
+    meshes = pymeshlab.MeshSet()
+    meshes.create_sphere(radius=1.0, subdiv=3)
+    mesh = meshes.current_mesh()
+    return np.array(mesh.vertex_matrix()), np.array(mesh.face_matrix())
+
+
+@pytest.fixture(scope="module")
+def panels(sphere):
+    return meshlab_developable.cut_into_panels(*sphere)
+
+
+def test_a_closed_model_becomes_panels_that_can_be_made_developable(sphere, panels):
+    vertices, _ = sphere
+    diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
+    assert panels.report.status is Status.CONVERGED
+    assert np.array_equal(panels.vertices[: len(vertices)], vertices)
+    assert len(panels.report.panels) == panels.face_panels.max() + 1
+    developed = meshlab_developable.make_developable(panels.vertices, panels.faces)
+    assert developed.report.status is Status.CONVERGED
+    assert developed.report.patches == len(panels.report.panels)
+    assert developed.report.max_displacement == pytest.approx(panels.report.max_displacement, rel=1e-6)
+    assert developed.report.max_displacement <= 0.02 * diagonal
+    flat = meshlab_developable.flatten(developed.vertices, developed.faces)
+    assert flat.report.overlapping_pieces == flat.report.flipped_faces == 0
+    assert flat.report.max_edge_strain < 1e-3
+
+
+def test_each_panel_is_described(panels):
+    assert [panel.index for panel in panels.report.panels] == list(range(len(panels.report.panels)))
+    for panel in panels.report.panels:
+        assert panel.faces == (panels.face_panels == panel.index).sum()
+        assert panel.curvature_after <= 1e-4 < panel.curvature_before
+        assert panel.mean_displacement <= panel.max_displacement <= panels.report.max_displacement
+    assert panels.report.smallest_panel_area > 0
+
+
+def test_quality_colours_and_other_attributes(meshes_of_a_box):
+    meshes = meshes_of_a_box
+    before = meshes.current_mesh()
+    positions = np.array(before.vertex_matrix())
+    before.add_vertex_custom_scalar_attribute(positions[:, 0].copy(), "x")
+    before.add_face_custom_scalar_attribute(np.arange(before.face_number(), dtype=float), "number")
+    report = meshes.apply_filter(CUT)
+    mesh = meshes.current_mesh()
+    after = np.array(mesh.vertex_matrix())
+    assert report["panels"] >= 1
+    assert len(after) > len(positions)
+    assert np.allclose(mesh.vertex_custom_scalar_attribute_array("x"), after[:, 0])
+    numbers = np.array(mesh.face_custom_scalar_attribute_array("number"))
+    assert set(numbers) == set(range(12))
+    panel = np.array(mesh.face_custom_scalar_attribute_array("panel"))
+    assert np.array_equal(panel, mesh.face_scalar_array())
+    places = {tuple(position) for position in after}
+    assert len(places) < len(after)  # doubled vertices coincide to the last bit
+
+
+@pytest.fixture
+def meshes_of_a_box():
+    meshlab_developable.load()
+    meshes = pymeshlab.MeshSet()
+    meshes.create_cube(size=1.0)
+    return meshes
+
+
+def test_labels_only(meshes_of_a_box):
+    meshes = meshes_of_a_box
+    before = np.array(meshes.current_mesh().face_matrix())
+    meshes.apply_filter(CUT, cut=False)
+    mesh = meshes.current_mesh()
+    assert np.array_equal(mesh.face_matrix(), before)
+    assert mesh.vertex_number() == 8
+    assert mesh.face_scalar_array().min() == 0
+
+
+@pytest.mark.parametrize("values", [{"material": "Leather"}, {"allowed_stretch": 5.0}, {"symmetric": True}])
+def test_what_does_not_work_yet_says_so_and_changes_nothing(meshes_of_a_box, values):
+    with pytest.raises(pymeshlab.PyMeshLabException, match="not work yet"):
+        meshes_of_a_box.apply_filter(CUT, **values)
+    assert meshes_of_a_box.current_mesh().vertex_number() == 8
+
+
+def test_from_a_scan_to_patterns_by_one_command(tmp_path, sphere, capsys):
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(*sphere))
+    scan = tmp_path / "scan.ply"
+    meshes.save_current_mesh(str(scan))
+    with pytest.raises(SystemExit) as ended:
+        main.main(
+            ["pattern", str(scan), "--cut", "-o", str(tmp_path / "out"), "--unit", "cm", "--json"],
+            standalone_mode=True,
+        )
+    assert ended.value.code in (0, None)
+    said = json.loads(capsys.readouterr().out)
+    assert said["pieces"] > 1
+    assert said["max_edge_strain"] < 1e-3
+    assert (tmp_path / "out" / "scan.dxf").stat().st_size > 0

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_joining.cpp: a greedy order, tests of several disjoint pairs at once, and what is known to fail.
+#include "panel_joining.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace developable::detail {
+
+namespace {
+
+/// Pairs that are tested at once. Pairs in a batch have no panel in common, so that the outcome of one does
+/// not change another; the number is fixed, so that the outcome does not depend on the machine.
+constexpr int batchSize = 4;
+
+constexpr double smallShare = 0.15; ///< of a patch's area
+
+class Joining {
+public:
+	Joining(CutSurface& surface, PanelTests& tests, const SewnExcess& excess)
+		: surface_(surface), tests_(tests), sewn_(surface, excess) {}
+
+	void run() {
+		const double first = static_cast<double>(seamChains(surface_).size());
+		while (true) {
+			const std::vector<SeamChain> batch = nextBatch();
+			const std::string message = std::to_string(left_) + " seams between panels to try to take out";
+			if (batch.empty() || !tests_.mayGoOn(0.2 + 0.5 * (1 - left_ / std::max(first, 1.0)), message))
+				return;
+			joinThoseThatMay(batch);
+		}
+	}
+
+private:
+	/// What is known of a seam that could not go holds until one of its panels changes.
+	using Failure = std::array<int, 3>;
+
+	static Failure failureOf(const SeamChain& chain) {
+		return {chain.panels[0], chain.panels[1],
+				*std::min_element(chain.halfEdges.begin(), chain.halfEdges.end())};
+	}
+
+	/// What keeps a panel from being a ring has to stay; a dart may go.
+	static bool isSlit(const SeamChain& chain) { return chain.within() && !chain.isDart(); }
+
+	std::vector<SeamChain> nextBatch() {
+		std::vector<SeamChain> chains = seamChains(surface_);
+		chains.erase(std::remove_if(chains.begin(), chains.end(),
+									[&](const SeamChain& chain) {
+										return isSlit(chain) || failures_.count(failureOf(chain)) > 0;
+									}),
+					 chains.end());
+		left_ = static_cast<int>(chains.size());
+		std::stable_sort(chains.begin(), chains.end(),
+						 [](const SeamChain& a, const SeamChain& b) { return a.length > b.length; });
+		std::vector<SeamChain> batch;
+		std::set<int> taken;
+		for (const SeamChain& chain : chains) {
+			if (static_cast<int>(batch.size()) == batchSize)
+				break;
+			if (taken.count(chain.panels[0]) + taken.count(chain.panels[1]) > 0)
+				continue;
+			taken.insert(chain.panels.begin(), chain.panels.end());
+			batch.push_back(chain);
+		}
+		return batch;
+	}
+
+	PanelTrial trialOf(const SeamChain& chain) {
+		for (const int h : chain.halfEdges)
+			surface_.setCut(h, false);
+		std::vector<int> triangles;
+		const auto& a = surface_.trianglesOf(chain.panels[0]);
+		const auto& b = surface_.trianglesOf(chain.panels[1]);
+		if (chain.within())
+			triangles = a;
+		else
+			std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(triangles));
+		PanelTrial trial;
+		trial.panel = surface_.meshOf(triangles);
+		trial.patch = surface_.assembly().patchOfTriangle[triangles.front()];
+		for (const int h : chain.halfEdges)
+			surface_.setCut(h, true);
+		return trial;
+	}
+
+	void joinThoseThatMay(const std::vector<SeamChain>& batch) {
+		std::vector<PanelTrial> trials;
+		for (const SeamChain& chain : batch)
+			trials.push_back(trialOf(chain));
+		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
+		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)
+			if (!verdicts[i].flat || !verdicts[i].disk || !sewn_.join(batch[i].halfEdges))
+				failures_.insert(failureOf(batch[i]));
+	}
+
+	CutSurface& surface_;
+	PanelTests& tests_;
+	SewnJoining sewn_;
+	std::set<Failure> failures_;
+	int left_ = 0;
+};
+
+} // namespace
+
+void joinPanels(CutSurface& surface, PanelTests& tests, const SewnExcess& excess) {
+	Joining(surface, tests, excess).run();
+}
+
+bool SewnJoining::join(const std::vector<int>& halfEdges) {
+	const int patch = surface_.assembly().patchOfTriangle[triangleOf(halfEdges.front())];
+	const auto areaAt = [&](int h) { return surface_.area(surface_.panelOf(triangleOf(h))); };
+	const int across = surface_.assembly().across(halfEdges.front());
+	if (areaAt(halfEdges.front()) + areaAt(across) < smallShare * surface_.patchArea(patch)) {
+		surface_.join(halfEdges);
+		return true;
+	}
+	if (before_ < 0)
+		before_ = excess_();
+	CutSurface saved = surface_; // with the numbers of its panels, by which failures are known
+	surface_.join(halfEdges);
+	const double after = excess_();
+	if (after <= before_) {
+		before_ = after;
+		return true;
+	}
+	surface_ = std::move(saved);
+	return false;
+}
+
+} // namespace developable::detail

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_joining.h: panels are joined across their seams, the longest first, as long as that makes panels.
+#pragma once
+
+#include "panel_tests.h"
+#include "seam_chains.h"
+
+#include <functional>
+
+namespace developable::detail {
+
+/// How far the panels of a surface are from becoming developable when they are sewn together; 0: they do.
+using SewnExcess = std::function<double()>;
+
+/// Joins that are only kept when the panels, sewn together, are no worse than before.
+class SewnJoining {
+public:
+	SewnJoining(CutSurface& surface, SewnExcess excess) : surface_(surface), excess_(std::move(excess)) {}
+
+	/// Joins across some half edges, or not. What is small compared with its patch has little to pull with,
+	/// and is not tried. \return whether it did
+	bool join(const std::vector<int>& halfEdges);
+
+private:
+	CutSurface& surface_;
+	const SewnExcess excess_;
+	double before_ = -1; // not known
+};
+
+/// Joins panels across whole seams, greedily: those whose union is a panel, by itself and sewn to the others.
+void joinPanels(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);
+
+/// Where a whole seam can't go, a long part of it does, from one of its ends on; the rest stays as a dart.
+void joinWithDarts(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);
+
+} // namespace developable::detail

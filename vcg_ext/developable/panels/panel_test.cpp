@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_test.cpp: topology first, then the constrained Newton method, then the plane.
+#include "panel_test.h"
+
+#include "developable/flatten/flatten.h"
+#include "developable/geometry/geometry.h"
+#include "developable/newton/constrained_newton.h"
+
+namespace developable::detail {
+
+namespace {
+
+constexpr double greatestStrain = 1e-3; ///< of a developable panel laid flat: C ≤ 1e-4 leaves far less
+
+bool isDisk(const PatchAssembly& assembly) {
+	return assembly.patchCount() == 1 && assembly.patches[0].orientable &&
+		   assembly.patches[0].eulerCharacteristic() == 1 && !assembly.patches[0].closed();
+}
+
+/// A single open sheet, with holes perhaps, that flattening can take.
+bool isSheet(const PatchAssembly& assembly) {
+	return assembly.patchCount() == 1 && assembly.patches[0].orientable && !assembly.patches[0].closed() &&
+		   assembly.interiorCopyCount() < assembly.copyCount();
+}
+
+/// Long runs are for shapes that a user asks for: what a panel needs is near.
+ConstrainedNewtonOptions briefRun() {
+	ConstrainedNewtonOptions options;
+	options.maxIterations = 30;
+	options.tuning.attempts = 1;
+	return options;
+}
+
+Eigen::Vector3d worstPoint(const PatchAssembly& assembly, const Positions& positions) {
+	Eigen::Index worst = 0;
+	angleDefects(assembly, positions).cwiseAbs().maxCoeff(&worst);
+	return assembly.originalPositions.col(assembly.placeOfCopy[worst]);
+}
+
+bool liesFlat(const PatchAssembly& assembly, const Positions& positions) {
+	const FlatPatterns patterns = flattenPatches(assembly, positions);
+	const FlatPiece& piece = patterns.pieces.front();
+	return !piece.overlapping && piece.cuts == 0 && piece.flippedFaces == 0 &&
+		   piece.maxEdgeStrain < greatestStrain;
+}
+
+} // namespace
+
+bool isDisk(const TriangleMesh& mesh) {
+	return isDisk(assemblePatches(mesh, {}));
+}
+
+PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, const Progress& progress) {
+	PanelVerdict verdict;
+	const PatchAssembly assembly = assemblePatches(mesh, {});
+	if (!isSheet(assembly))
+		return verdict;
+	verdict.disk = isDisk(assembly);
+	Positions positions = assembly.originalPositions;
+	verdict.worstPoint = worstPoint(assembly, positions);
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, briefRun(), progress);
+	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
+	verdict.maxDisplacement = moves.maxCoeff();
+	verdict.meanDisplacement = moves.mean();
+	if (!converged(report.status)) {
+		verdict.worstPoint = worstPoint(assembly, positions);
+		return verdict;
+	}
+	try {
+		verdict.flat = verdict.maxDisplacement <= limits.maxDisplacement &&
+					   verdict.meanDisplacement <= limits.meanDisplacement && liesFlat(assembly, positions);
+	} catch (const PatchWithHandles&) {
+		verdict.flat = false;
+	}
+	return verdict;
+}
+
+} // namespace developable::detail

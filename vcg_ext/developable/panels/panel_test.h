@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_test.h: whether triangles make a panel: a disk that becomes developable within a given distance and
+// lies flat without overlap.
+#pragma once
+
+#include "developable/mesh/mesh.h"
+
+namespace developable::detail {
+
+/// What a panel may cost.
+struct PanelLimits {
+	double maxDisplacement = 0;  ///< of any vertex, length
+	double meanDisplacement = 0; ///< over its vertices, length
+};
+
+struct PanelVerdict {
+	bool flat =
+		false; ///< it is a disk, or lies flat with its holes, and becomes developable within the limits
+	bool disk = false; ///< or a flat sheet with holes
+	double maxDisplacement = 0;
+	double meanDisplacement = 0;
+	Eigen::Vector3d worstPoint = Eigen::Vector3d::Zero(); ///< where the largest angle defect is left or was
+};
+
+/// \param mesh  a panel; vertices doubled along its slits and darts coincide
+PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, const Progress& progress = {});
+
+/// Whether triangles are one disk.
+bool isDisk(const TriangleMesh& mesh);
+
+} // namespace developable::detail

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_tests.cpp: tests in parallel; a stop reaches them all.
+#include "panel_tests.h"
+
+#include "parallel.h"
+
+namespace developable::detail {
+
+namespace {
+
+constexpr double shareAlone = 0.85;    ///< of the greatest displacement: what a panel may need by itself
+constexpr double meanOfGreatest = 0.3; ///< mean displacement as a share of the greatest
+
+} // namespace
+
+PanelTests::PanelTests(std::vector<double> maxDisplacement, Progress progress)
+	: maxDisplacement_(std::move(maxDisplacement)), progress_(std::move(progress)) {}
+
+PanelLimits PanelTests::limitsOf(int patch) const {
+	const double greatest = relaxed_ * shareAlone * maxDisplacement_[patch];
+	return {greatest, meanOfGreatest * greatest};
+}
+
+std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {
+	std::vector<PanelVerdict> verdicts(trials.size());
+	inParallel(static_cast<int>(trials.size()), [&](int i, bool ofCaller) {
+		const Progress progress = [&](double, const std::string&) {
+			return ofCaller ? mayGoOn(fractionDone_, message_) : !stopped_;
+		};
+		if (stopped_)
+			return;
+		verdicts[i] = testPanel(trials[i].panel, limitsOf(trials[i].patch), progress);
+	});
+	return verdicts;
+}
+
+bool PanelTests::mayGoOn(double fractionDone, const std::string& message) {
+	fractionDone_ = std::max(fractionDone, fractionDone_);
+	if (message_ != message)
+		message_ = message;
+	if (!stopped_ && !developable::mayGoOn(progress_, fractionDone_, message_))
+		stopped_ = true;
+	return !stopped_;
+}
+
+} // namespace developable::detail

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_tests.h: tests of panels of a cut surface, as they are or as they would be, several at once.
+#pragma once
+
+#include "cut_surface.h"
+#include "panel_test.h"
+
+#include <atomic>
+
+namespace developable::detail {
+
+/// A panel that might be.
+struct PanelTrial {
+	TriangleMesh panel;
+	int patch = 0;
+};
+
+class PanelTests {
+public:
+	/// \param maxDisplacement  per patch of the surface, length
+	PanelTests(std::vector<double> maxDisplacement, Progress progress);
+
+	/// Within what a patch's panels have to stay, by themselves: sewn together they will move a little more.
+	PanelLimits limitsOf(int patch) const;
+	/// All limits are so many times what they were.
+	void relax(double factor) { relaxed_ *= factor; }
+
+	std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials);
+
+	/// Says how far the work is. \return false when the user asked for a stop, now or before
+	bool mayGoOn(double fractionDone, const std::string& message);
+	bool stopped() const { return stopped_; }
+
+private:
+	const std::vector<double> maxDisplacement_;
+	const Progress progress_;
+	double relaxed_ = 1;
+	std::atomic<bool> stopped_{false};
+	double fractionDone_ = 0;
+	std::string message_;
+};
+
+} // namespace developable::detail

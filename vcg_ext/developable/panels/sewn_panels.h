@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sewn_panels.h: all panels made developable together, as the user will do.
+#pragma once
+
+#include "cut_into_panels.h"
+#include "cut_surface.h"
+
+namespace developable::detail {
+
+/// What becomes of the panels, sewn together.
+struct SewnPanels {
+	Status status = Status::NothingToDo;
+	std::vector<CutPanel> panels; ///< by the surface's numbers of panels; empty ones have no triangles
+	double meanDisplacement = 0;
+	double maxDisplacement = 0;
+};
+
+/// \param mesh             the panels as the user will have them: what comes out depends a little on the
+/// order
+///                         of vertices; its `face` are triangles of the surface
+/// \param maxDisplacement  per patch of the surface
+/// \param brief            a run that gives up early
+SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
+							 const std::vector<double>& maxDisplacement, bool brief,
+							 const Progress& progress);
+
+} // namespace developable::detail
