@@ -73,7 +73,8 @@ void writeOff(const std::string& path, const Positions& positions, const Eigen::
 		file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
 
-/// \param changes  of tuning constants and of the smoothness, each a name and a factor; and of the fairness, a value
+/// \param changes  of tuning constants and of the smoothness, each a name and a factor; and of the fairness,
+/// a value
 ConstrainedNewtonOptions tuned(const std::vector<std::string>& changes) {
 	ConstrainedNewtonOptions options;
 	for (std::size_t i = 0; i + 1 < changes.size(); i += 2) {

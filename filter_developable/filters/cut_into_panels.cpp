@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // cut_into_panels.cpp: the filter Cut into Developable Panels.
 #include "../cut_layer.h"
+#include "../materials.h"
 #include "../shared_parameters.h"
 #include "filters.h"
 
@@ -12,27 +13,6 @@
 namespace developable::plugin {
 
 namespace {
-
-/// What allowed strain will be told by. The values that do not work yet are refused in one place.
-std::vector<Parameter> materialParameters() {
-	return {
-		enumeration("material",
-					{"Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit",
-					 "Paper"},
-					0, "Material",
-					"What the panels are made of, which says how far they may be stretched and compressed."),
-		floatParameter(
-			"allowed_stretch", -1, {-1}, "%", "Allowed stretch",
-			"By how much the material may be longer on the shape than in the flat pattern; -1 means "
-			"what the material bears. That is 0 for Custom."),
-		floatParameter(
-			"allowed_compression", -1, {-1}, "%", "Allowed compression",
-			"By how much the material may be shorter on the shape than in the flat pattern; -1 means "
-			"what the material bears. That is 0 for Custom."),
-		enumeration("grain", {"Longest seam", "X axis", "Y axis", "Z axis"}, 0, "Grain",
-					"Which way the grain, the warp of a cloth, runs in every panel."),
-	};
-}
 
 /// What is a parameter already and does not work yet.
 void refuseWhatDoesNotWork(const ParameterValues& values) {

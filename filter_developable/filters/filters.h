@@ -17,7 +17,8 @@ FilterDescription polygonTriangulation();
 
 inline std::vector<FilterDescription> allFilters() {
 	return {
-		globalDevelopability(), localDevelopability(), developabilityMaps(), patchFlattening(), panelCutting(),
+		globalDevelopability(), localDevelopability(), developabilityMaps(),
+		patchFlattening(),      panelCutting(),
 #ifdef DEVELOPABLE_HAS_CGAL
 		polygonTriangulation(),
 #endif

@@ -7,7 +7,17 @@ from __future__ import annotations
 
 import enum
 
-from meshlab_developable.parameters import Boolean, Choice, Filter, Layer, Length, Number, Parameter, Whole
+from meshlab_developable.parameters import (
+    Boolean,
+    Choice,
+    Filter,
+    Layer,
+    Length,
+    Material,
+    Number,
+    Parameter,
+    Whole,
+)
 
 GLOBAL = Filter(
     "global",
@@ -76,11 +86,64 @@ GLOBAL = Filter(
             "Constrained Newton only: how much weight bending has against distance; larger values give fewer wrinkles.",
         ),
         Parameter(
+            "fairness",
+            Number(maximum=1),
+            0.0,
+            "",
+            "Constrained Newton only: how much of the surface's own detail is smoothed away: bumps that are shorter than this share of the panel's size.",
+        ),
+        Parameter(
             "max_displacement",
             Length(automatic=True),
             -1.0,
             "length",
             "Constrained Newton only: no vertex ends farther than this from where it was; -1 means 15 % of its part's diagonal.",
+        ),
+        Parameter(
+            "material",
+            Material(
+                (
+                    "Custom",
+                    "Sheet steel",
+                    "Sheet aluminium",
+                    "Plywood",
+                    "Leather",
+                    "Woven cloth",
+                    "Knit",
+                    "Paper",
+                )
+            ),
+            "Custom",
+            "",
+            "Constrained Newton only: What the panels are made of, which says how far they may be stretched and compressed.",
+        ),
+        Parameter(
+            "allowed_stretch",
+            Number(minimum=-1, maximum=1000),
+            -1.0,
+            "%",
+            "Constrained Newton only: How much longer the material may be on the shape than in the pattern; -1 is what it bears.",
+        ),
+        Parameter(
+            "allowed_compression",
+            Number(minimum=-1, maximum=100),
+            -1.0,
+            "%",
+            "Constrained Newton only: How much shorter the material may be on the shape than in the pattern; -1 is what it bears.",
+        ),
+        Parameter(
+            "grain",
+            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            "Longest seam",
+            "",
+            "Constrained Newton only: Which way the grain, the warp of a cloth, runs in every panel.",
+        ),
+        Parameter(
+            "thickness",
+            Length(),
+            0.0,
+            "length",
+            "Constrained Newton only: How thick the material is, in the mesh's unit; 0 means that bending is not judged.",
         ),
         Parameter(
             "map",
@@ -250,6 +313,7 @@ MAPS = Filter(
                     "Distance",
                     "Displacement",
                     "Elastic energy",
+                    "Bending radius",
                 )
             ),
             "Gaussian map",
@@ -300,6 +364,45 @@ FLATTEN = Filter(
             "Work on the patches that have a selected face; the others hold still.",
         ),
         Parameter(
+            "material",
+            Material(
+                (
+                    "Custom",
+                    "Sheet steel",
+                    "Sheet aluminium",
+                    "Plywood",
+                    "Leather",
+                    "Woven cloth",
+                    "Knit",
+                    "Paper",
+                )
+            ),
+            "Custom",
+            "",
+            "What the panels are made of, which says how far they may be stretched and compressed.",
+        ),
+        Parameter(
+            "allowed_stretch",
+            Number(minimum=-1, maximum=1000),
+            -1.0,
+            "%",
+            "How much longer the material may be on the shape than in the pattern; -1 is what it bears.",
+        ),
+        Parameter(
+            "allowed_compression",
+            Number(minimum=-1, maximum=100),
+            -1.0,
+            "%",
+            "How much shorter the material may be on the shape than in the pattern; -1 is what it bears.",
+        ),
+        Parameter(
+            "grain",
+            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            "Longest seam",
+            "",
+            "Which way the grain, the warp of a cloth, runs in every panel.",
+        ),
+        Parameter(
             "gap",
             Length(automatic=True),
             -1.0,
@@ -308,7 +411,7 @@ FLATTEN = Filter(
         ),
         Parameter(
             "map",
-            Choice(("Edge strain", "Elastic energy")),
+            Choice(("Edge strain", "Elastic energy", "Stretch", "Compression")),
             "Edge strain",
             "",
             "What is written to the vertex quality of the model and of the patterns.",
@@ -368,7 +471,7 @@ CUT = Filter(
         ),
         Parameter(
             "material",
-            Choice(
+            Material(
                 (
                     "Custom",
                     "Sheet steel",
@@ -386,17 +489,17 @@ CUT = Filter(
         ),
         Parameter(
             "allowed_stretch",
-            Number(minimum=-1),
+            Number(minimum=-1, maximum=1000),
             -1.0,
             "%",
-            "By how much the material may be longer on the shape than in the flat pattern; -1 means what the material bears.",
+            "How much longer the material may be on the shape than in the pattern; -1 is what it bears.",
         ),
         Parameter(
             "allowed_compression",
-            Number(minimum=-1),
+            Number(minimum=-1, maximum=100),
             -1.0,
             "%",
-            "By how much the material may be shorter on the shape than in the flat pattern; -1 means what the material bears.",
+            "How much shorter the material may be on the shape than in the pattern; -1 is what it bears.",
         ),
         Parameter(
             "grain",
@@ -490,6 +593,8 @@ class Reason(enum.IntEnum):
     UNSOLVABLE = 4
     TOO_FAR = 5
     NEARLY_THERE = 6
+    BEYOND_BOUNDS = 7
+    WITHIN_BOUNDS = 8
 
     @property
     def text(self) -> str:
@@ -505,6 +610,8 @@ _REASON_TEXTS = {
     Reason.UNSOLVABLE: "stalled: a linear system of this shape has no solution in double precision; the best shape so far is kept",
     Reason.TOO_FAR: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); the nearest developable one found moves a vertex by {nearest_developable}, farther than max_displacement allows",
     Reason.NEARLY_THERE: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); but it is nearly there: laid flat as it is, no edge changes its length by more than {edge_strain_left} %",
+    Reason.BEYOND_BOUNDS: "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
+    Reason.WITHIN_BOUNDS: "every panel has a pattern within the allowed strain",
 }
 
 

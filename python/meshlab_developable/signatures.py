@@ -39,6 +39,7 @@ def measure(
         "Distance",
         "Displacement",
         "Elastic energy",
+        "Bending radius",
     ] = "Gaussian map",
     colorize: bool = True,
 ) -> Measured:
@@ -90,7 +91,16 @@ def make_developable(
     max_iterations: int = 200,
     relative_change: float = 0.0001,
     smoothness: float = 3e-06,
+    fairness: float = 0.0,
     max_displacement: float = -1.0,
+    material: Literal[
+        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
+    ]
+    | str = "Custom",
+    allowed_stretch: float = -1.0,
+    allowed_compression: float = -1.0,
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
+    thickness: float = 0.0,
     map: Literal[
         "Gaussian map",
         "Angle defect",
@@ -141,9 +151,21 @@ def make_developable(
             less than this share of its first value.
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
             against distance; larger values give fewer wrinkles.
+        fairness (≤ 1; only for 'global'): Constrained Newton only: how much of the surface's own detail is
+            smoothed away: bumps that are shorter than this share of the panel's size.
         max_displacement (length): Constrained Newton only: no vertex ends farther than this from where it
             was; -1 means 15 % of its part's diagonal. For 'local': How far a vertex may move along its
             original normal; -1 means the mean edge length.
+        material (only for 'global'): Constrained Newton only: What the panels are made of, which says how
+            far they may be stretched and compressed.
+        allowed_stretch (%; ≤ 1000; only for 'global'): Constrained Newton only: How much longer the
+            material may be on the shape than in the pattern; -1 is what it bears.
+        allowed_compression (%; ≤ 100; only for 'global'): Constrained Newton only: How much shorter the
+            material may be on the shape than in the pattern; -1 is what it bears.
+        grain (only for 'global'): Constrained Newton only: Which way the grain, the warp of a cloth, runs
+            in every panel.
+        thickness (length; only for 'global'): Constrained Newton only: How thick the material is, in the
+            mesh's unit; 0 means that bending is not judged.
         map: What is written to the vertex quality.
         colorize: Colour the vertices by the map, in place of the colours that they have.
         max_operations (only for 'local'): The run ends after so many visits to a vertex at the latest.
@@ -175,7 +197,8 @@ def cut_into_panels(
     max_displacement: float = -1.0,
     material: Literal[
         "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
-    ] = "Custom",
+    ]
+    | str = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
@@ -208,10 +231,10 @@ def cut_into_panels(
         max_displacement (length): How far a vertex may move when the panels are made developable; -1 means
             2 % of the diagonal of each part.
         material: What the panels are made of, which says how far they may be stretched and compressed.
-        allowed_stretch (%): By how much the material may be longer on the shape than in the flat pattern;
-            -1 means what the material bears.
-        allowed_compression (%): By how much the material may be shorter on the shape than in the flat
-            pattern; -1 means what the material bears.
+        allowed_stretch (%; ≤ 1000): How much longer the material may be on the shape than in the pattern;
+            -1 is what it bears.
+        allowed_compression (%; ≤ 100): How much shorter the material may be on the shape than in the
+            pattern; -1 is what it bears.
         grain: Which way the grain, the warp of a cloth, runs in every panel.
         max_panels: So many panels at most, even if some then can't be made developable within the largest
             displacement; 0 means as many as it takes.
@@ -238,8 +261,15 @@ def flatten(
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
     weld_distance: float = 0.0,
+    material: Literal[
+        "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
+    ]
+    | str = "Custom",
+    allowed_stretch: float = -1.0,
+    allowed_compression: float = -1.0,
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
     gap: float = -1.0,
-    map: Literal["Edge strain", "Elastic energy"] = "Edge strain",
+    map: Literal["Edge strain", "Elastic energy", "Stretch", "Compression"] = "Edge strain",
     write_texture_coordinates: bool = False,
     colorize: bool = True,
 ) -> FlatteningResult:
@@ -262,6 +292,12 @@ def flatten(
             colour, texture island or quality.
         weld_distance (length): Vertices at most this far apart are linked and move as one; 0 links only
             those with equal coordinates.
+        material: What the panels are made of, which says how far they may be stretched and compressed.
+        allowed_stretch (%; ≤ 1000): How much longer the material may be on the shape than in the pattern;
+            -1 is what it bears.
+        allowed_compression (%; ≤ 100): How much shorter the material may be on the shape than in the
+            pattern; -1 is what it bears.
+        grain: Which way the grain, the warp of a cloth, runs in every panel.
         gap (length): How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box.
         map: What is written to the vertex quality of the model and of the patterns.
         write_texture_coordinates: Write the patterns to the model too, as texture coordinates of its face

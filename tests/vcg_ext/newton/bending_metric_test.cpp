@@ -39,8 +39,10 @@ TEST(BendingMetric, IsTheThinPlateWithoutUnit) {
 				return metric.squaredNorm(displacement);
 			};
 			EXPECT_NEAR((squaredNorm(2e-3, 0) - squaredNorm(1e-3, 0)) / 1e-3, 1, 1e-9) << cells;
-			// Two of the four borders bend, but for half an edge at each of their ends: β s^5 · 2 s (1/s²)² / s².
-			EXPECT_NEAR((squaredNorm(1e-3, 0.3) - squaredNorm(1e-3, 0)) / 1e-3, 0.6 * (1 - 1.0 / cells), 1e-9);
+			// Two of the four borders bend, but for half an edge at each of their ends: β s^5 · 2 s (1/s²)² /
+			// s².
+			EXPECT_NEAR((squaredNorm(1e-3, 0.3) - squaredNorm(1e-3, 0)) / 1e-3, 0.6 * (1 - 1.0 / cells),
+						1e-9);
 		}
 	}
 }

@@ -22,14 +22,16 @@ TEST(Rods, RunAlongBordersSeamsAndCreasesButNotRoundCorners) {
 }
 
 TEST(Rods, BendLikeTheCurveThatTheyStandFor) {
-	// d = s² along a straight border of length 1: ∫|d''|² ds = 4, short of the halves of the first and last piece.
+	// d = s² along a straight border of length 1: ∫|d''|² ds = 4, short of the halves of the first and last
+	// piece.
 	const PatchAssembly assembly = assembled(grid(21, 3, flatSheet));
 	const Positions& p = assembly.originalPositions;
 	double sum = 0, length = 0;
 	for (const detail::RodJoint& joint : detail::rodJoints(assembly, {})) {
 		if (p(1, joint[0]) != p(1, 0) || p(1, joint[2]) != p(1, 0))
 			continue;
-		const Eigen::Vector3d values = p.row(0)(std::vector<int>{joint[0], joint[1], joint[2]}).array().square();
+		const Eigen::Vector3d values =
+			p.row(0)(std::vector<int>{joint[0], joint[1], joint[2]}).array().square();
 		sum += std::pow(detail::rodBending(assembly, joint).dot(values), 2);
 		length += (p.col(joint[2]) - p.col(joint[0])).norm() / 2;
 	}

@@ -21,7 +21,8 @@ TEST(DefectJacobian, AgreesWithCentralDifferences) {
 	detail::DefectJacobian jacobian(assembly, metric.placeMass(), 0.02);
 	const Positions shape = assembly.originalPositions + 0.02 * Positions::Random(3, assembly.placeCount());
 	jacobian.linearize(shape);
-	ASSERT_GT((jacobian.scaled(flatDefects(assembly, shape), shape).tail(20).array() != 0).count(), 10); // borders turn
+	ASSERT_GT((jacobian.scaled(flatDefects(assembly, shape), shape).tail(20).array() != 0).count(),
+			  10); // borders turn
 	Eigen::MatrixXd rows(jacobian.rowCount(), 3 * assembly.placeCount());
 	for (int row = 0; row < jacobian.rowCount(); ++row) {
 		const Positions gradient = jacobian.applyTransposed(Eigen::VectorXd::Unit(jacobian.rowCount(), row));
@@ -65,7 +66,9 @@ TEST(DefectJacobian, SeesABorderThatOverlapsItself) {
 		const Positions& shape = assembly.originalPositions;
 		detail::DefectJacobian jacobian(assembly, detail::placeMasses(assembly), 0.1);
 		jacobian.linearize(shape);
-		const auto first = [&](const Positions& p) { return jacobian.scaled(flatDefects(assembly, p), p)[0]; };
+		const auto first = [&](const Positions& p) {
+			return jacobian.scaled(flatDefects(assembly, p), p)[0];
+		};
 		EXPECT_EQ(first(shape) < 0, borderAngles(assembly, shape).maxCoeff() > 2 * pi);
 		const Positions gradient = jacobian.applyTransposed(Eigen::VectorXd::Unit(jacobian.rowCount(), 0));
 		const Positions differences = centralDifferences(first, shape);

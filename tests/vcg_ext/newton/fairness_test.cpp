@@ -15,7 +15,8 @@ double mostTurnGained(const PatchAssembly& assembly, const Positions& positions)
 }
 
 TEST(Fairness, BordersDoNotKink) {
-	for (const Surface& surface : {Surface(sphereCap(1)), Surface(bumpedCylinder), Surface(wave), Surface(vamp)}) {
+	for (const Surface& surface :
+		 {Surface(sphereCap(1)), Surface(bumpedCylinder), Surface(wave), Surface(vamp)}) {
 		const PatchAssembly assembly = assembled(jitteredGrid(21, 21, surface));
 		Positions positions = assembly.originalPositions;
 		ASSERT_EQ(constrainedNewton(assembly, positions, {}).status, Status::Converged);
@@ -70,8 +71,9 @@ TEST(Fairness, ShortestStepsLeaveAloneWhatNeedsMore) {
 /// x² − y² over squares with alternating diagonals, vertices in another order for each seed.
 TriangleMesh symmetricSaddle(int seed) {
 	const int n = 21;
-	TriangleMesh mesh =
-		grid(n, n, [](double u, double v) { return Eigen::Vector3d(u, v, 0.2 * (std::pow(u - 0.5, 2) - std::pow(v - 0.5, 2))); });
+	TriangleMesh mesh = grid(n, n, [](double u, double v) {
+		return Eigen::Vector3d(u, v, 0.2 * (std::pow(u - 0.5, 2) - std::pow(v - 0.5, 2)));
+	});
 	for (int cell = 0; cell < (n - 1) * (n - 1); ++cell)
 		if ((cell % (n - 1) + cell / (n - 1)) % 2 == 1) {
 			const int a = cell / (n - 1) * n + cell % (n - 1);

@@ -72,15 +72,17 @@ TEST(FittedHessian, PassesThePatchTestOnEveryTriangulation) {
 			const Eigen::VectorXd values =
 				h[0] * x * x / 2 + h[1] * x * y + h[2] * y * y / 2 + 3 * x - 2 * y + 7;
 			const double exact = area * (h[0] * h[0] + 2 * h[1] * h[1] + h[2] * h[2]);
-			EXPECT_NEAR(bendingOf(assembly, values), exact, 1e-9 * exact) << smallestAngle(assembly, assembly.originalPositions);
+			EXPECT_NEAR(bendingOf(assembly, values), exact, 1e-9 * exact)
+				<< smallestAngle(assembly, assembly.originalPositions);
 		}
 	}
 }
 
 TEST(FittedHessian, LeavesNoZigzagFree) {
 	std::mt19937 random(5);
-	for (const TriangleMesh& mesh : {grid(9, 9, flatSheet), alternating(9), jitteredGrid(9, 9, flatSheet, 0.3),
-									 jitteredGrid(9, 9, quarterCylinder, 0.3)}) {
+	for (const TriangleMesh& mesh :
+		 {grid(9, 9, flatSheet), alternating(9), jitteredGrid(9, 9, flatSheet, 0.3),
+		  jitteredGrid(9, 9, quarterCylinder, 0.3)}) {
 		const PatchAssembly assembly = assembled(mesh);
 		for (int i = 0; i < 20; ++i) {
 			Eigen::VectorXd values(assembly.placeCount());
@@ -106,15 +108,18 @@ TEST(FittedHessian, ConvergesOnASheetAndOnACylinder) {
 		const int n = 400;
 		for (int i = 0; i < n; ++i)
 			for (int j = 0; j < n; ++j) {
-				const double u = x.minCoeff() + (i + 0.5) * width / n, v = y.minCoeff() + (j + 0.5) * height / n;
-				const double f = std::sin(3 * u) * std::cos(2 * v), mixed = 6 * std::cos(3 * u) * std::sin(2 * v);
+				const double u = x.minCoeff() + (i + 0.5) * width / n,
+							 v = y.minCoeff() + (j + 0.5) * height / n;
+				const double f = std::sin(3 * u) * std::cos(2 * v),
+							 mixed = 6 * std::cos(3 * u) * std::sin(2 * v);
 				exact += (81 * f * f + 16 * f * f + 2 * mixed * mixed) * width * height / (n * n);
 			}
 		const double error = std::abs(bendingOf(sheet, (3 * x).sin() * (2 * y).cos()) / exact - 1);
 		EXPECT_LT(error, 0.6 * last[0]);
 		last[0] = error;
 
-		// A coordinate of a cylinder of radius r: |x''| = |n| / r², so the three of them have area / r² in all.
+		// A coordinate of a cylinder of radius r: |x''| = |n| / r², so the three of them have area / r² in
+		// all.
 		const PatchAssembly cylinder = assembled(jitteredGrid(columns, columns, quarterCylinder, 0.3));
 		const Positions& p = cylinder.originalPositions;
 		double bending = 0;
@@ -131,7 +136,8 @@ TEST(FittedHessian, ConvergesOnASheetAndOnACylinder) {
 }
 
 TEST(FittedHessian, HoldsAllButAffineFunctionsOfAStrip) {
-	const PatchAssembly assembly = assembled(grid(9, 2, flatSheet)); // two rows of points: no quadratic is told
+	const PatchAssembly assembly =
+		assembled(grid(9, 2, flatSheet)); // two rows of points: no quadratic is told
 	const Eigen::VectorXd areas = detail::triangleAreas(assembly, assembly.originalPositions);
 	EXPECT_FALSE(detail::FittedHessian(assembly, areas).bending(6).determined);
 	Eigen::MatrixXd form = Eigen::MatrixXd::Zero(assembly.placeCount(), assembly.placeCount());

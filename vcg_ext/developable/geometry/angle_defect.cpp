@@ -26,8 +26,8 @@ Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& pos
 Eigen::VectorXd borderAngles(const PatchAssembly& assembly, const Positions& positions) {
 	Eigen::VectorXd angles = Eigen::VectorXd::Zero(assembly.copyCount());
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		for (int i = assembly.cornerStart[copy]; !assembly.copyInterior[copy] && i < assembly.cornerStart[copy + 1];
-			 ++i) {
+		for (int i = assembly.cornerStart[copy];
+			 !assembly.copyInterior[copy] && i < assembly.cornerStart[copy + 1]; ++i) {
 			const int corner = assembly.corners[i];
 			angles[copy] += triangleFrame(positions, assembly.trianglePlaces.col(triangleOf(corner)))
 								.angle(cornerInTriangle(corner));

@@ -17,8 +17,8 @@ Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& pos
 /// The angles of a patch at every copy on its boundary, added up, rad; 0 inside.
 Eigen::VectorXd borderAngles(const PatchAssembly& assembly, const Positions& positions);
 
-/// What keeps the patches from lying flat: the angle defects inside, and on the boundary 2π minus the angles where
-/// these add up to more than 2π, for there a patch would overlap itself; rad.
+/// What keeps the patches from lying flat: the angle defects inside, and on the boundary 2π minus the angles
+/// where these add up to more than 2π, for there a patch would overlap itself; rad.
 Eigen::VectorXd flatDefects(const PatchAssembly& assembly, const Positions& positions);
 
 /// The detect function G = Σ g² (Eq. 4), rad².

@@ -140,10 +140,10 @@ double BendingMetric::squaredNorm(const Positions& displacement) const {
 Positions BendingMetric::bendingForce(const Positions& positions, double smoothness) const {
 	PatchAssembly free = assembly_;
 	free.placeFixed.assign(free.placeCount(), 0);
-	const SparseMatrix bending = BendingMatrix(free, Eigen::VectorXd::Zero(free.placeCount()),
-											   Eigen::VectorXd::Constant(free.patchCount(), smoothness),
-											   tuning_.borderStiffness)
-									 .lower();
+	const SparseMatrix bending =
+		BendingMatrix(free, Eigen::VectorXd::Zero(free.placeCount()),
+					  Eigen::VectorXd::Constant(free.patchCount(), smoothness), tuning_.borderStiffness)
+			.lower();
 	Positions force = (bending.selfadjointView<Eigen::Lower>() * positions.transpose()).transpose();
 	for (int place = 0; place < free.placeCount(); ++place)
 		if (assembly_.placeFixed[place])

@@ -14,10 +14,10 @@ Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& po
 /// m_q, the share that each place has of the whole area: a third of the triangles round it.
 Eigen::VectorXd placeMasses(const PatchAssembly& assembly);
 
-/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_p α A_p² ∫_p |d''|²) / A:
-/// A_p is the area of patch p, A that of all patches, and the integral that of FittedHessian. So α is a number
-/// without unit and means the same on a model of any size and tessellation. Rows of places that are held still
-/// are those of a diagonal matrix.
+/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_p α A_p² ∫_p |d''|²) /
+/// A: A_p is the area of patch p, A that of all patches, and the integral that of FittedHessian. So α is a
+/// number without unit and means the same on a model of any size and tessellation. Rows of places that are
+/// held still are those of a diagonal matrix.
 class BendingMatrix {
 public:
 	/// \param masses      m_q / A, per place

@@ -73,7 +73,8 @@ double BorderTurns::excessAbout(const Eigen::Vector3d& axis, int joint, const Po
 Eigen::Matrix3d BorderTurns::gradientAbout(const Eigen::Vector3d& axis, int joint,
 										   const Positions& positions) const {
 	const auto [in, out] = BorderEdges(joints_[joint], positions);
-	const Eigen::Vector3d byIn = in.cross(axis) / in.squaredNorm(), byOut = axis.cross(out) / out.squaredNorm();
+	const Eigen::Vector3d byIn = in.cross(axis) / in.squaredNorm(),
+						  byOut = axis.cross(out) / out.squaredNorm();
 	Eigen::Matrix3d result;
 	result << -byIn, byIn - byOut, byOut;
 	return result;

@@ -9,8 +9,8 @@ namespace developable::detail {
 /// Where a border turns, and by how much it may. Gradients are in closed form.
 class BorderTurns {
 public:
-	/// Each border vertex of each patch, corners included; where two patches have the same one it counts once.
-	/// \param more  than in the original shape, rad
+	/// Each border vertex of each patch, corners included; where two patches have the same one it counts
+	/// once. \param more  than in the original shape, rad
 	BorderTurns(const PatchAssembly& assembly, double more);
 
 	const std::vector<RodJoint>& joints() const { return joints_; }
@@ -21,8 +21,9 @@ public:
 	/// The axis about which a border turns at a joint, one long; 0 where it runs straight on.
 	Eigen::Vector3d axis(int joint, const Positions& positions) const;
 
-	/// By how much a border turns too much about an axis, rad, less than 0 where it does not; and the gradient with
-	/// respect to the joint's three places if they move such that the axis stays that of the turn, 3 x 3, rad/length.
+	/// By how much a border turns too much about an axis, rad, less than 0 where it does not; and the
+	/// gradient with respect to the joint's three places if they move such that the axis stays that of the
+	/// turn, 3 x 3, rad/length.
 	double excessAbout(const Eigen::Vector3d& axis, int joint, const Positions& positions) const;
 	Eigen::Matrix3d gradientAbout(const Eigen::Vector3d& axis, int joint, const Positions& positions) const;
 

@@ -10,8 +10,8 @@ namespace developable::detail {
 
 /// The inner copies' angle defects g, each divided by the square root of its share of the area, so that their
 /// squares add up to A ∫K² dA on any tessellation (A: the area of the whole object), and their derivative J.
-/// Borders have rows, too, which are 0 with their derivatives unless a limit is exceeded: copies whose angles add up to
-/// more than 2π, by which they do, and borders that turn by more than they may (see BorderTurns).
+/// Borders have rows, too, which are 0 with their derivatives unless a limit is exceeded: copies whose angles
+/// add up to more than 2π, by which they do, and borders that turn by more than they may (see BorderTurns).
 /// Places that are held still count as constants. Kept by place: each has one block of three numbers for
 /// every copy whose angle defect depends on it.
 class DefectJacobian {
@@ -35,12 +35,12 @@ public:
 	/// Moves on to the derivative at these positions.
 	void linearize(const Positions& positions);
 
-	/// Borders that turn no more than they may at the positions of the derivative, but would at the end of a step, get
-	/// their derivatives too: so a step ends at the limit. \return whether there are any new ones
+	/// Borders that turn no more than they may at the positions of the derivative, but would at the end of a
+	/// step, get their derivatives too: so a step ends at the limit. \return whether there are any new ones
 	bool foresee(const Positions& positions, const Positions& end);
 
-	/// The linearised rows at the positions of the derivative: as scaled() there, but how far they are from their limits
-	/// for borders that were foreseen.
+	/// The linearised rows at the positions of the derivative: as scaled() there, but how far they are from
+	/// their limits for borders that were foreseen.
 	Eigen::VectorXd linearResidual(Eigen::VectorXd scaled) const;
 
 	/// J d.
@@ -109,7 +109,7 @@ private:
 	std::vector<std::pair<int, double>> foreseen_; // row, and how far it is from its limit, scaled
 	std::vector<int> rowOfCopy_, copyOfRow_;
 	Eigen::VectorXd rowScale_, inverseMass_;
-	std::vector<int> blockOf_;    // per triangle, corner and vertex, then per turn and place: its block, or -1
+	std::vector<int> blockOf_; // per triangle, corner and vertex, then per turn and place: its block, or -1
 	std::vector<int> blockStart_; // per place
 	std::vector<int> rowOfBlock_;
 	Eigen::Matrix3Xd blocks_;

@@ -11,10 +11,10 @@ namespace developable::detail {
 
 namespace {
 
-constexpr int widest = 3;            ///< how far round a triangle hinges are looked for, in triangles
-constexpr double wellEnough = 0.05;  ///< the least eigenvalue of a fit that needs no more hinges
+constexpr int widest = 3;             ///< how far round a triangle hinges are looked for, in triangles
+constexpr double wellEnough = 0.05;   ///< the least eigenvalue of a fit that needs no more hinges
 constexpr double undetermined = 1e-9; ///< below it an eigenvalue is rounding
-constexpr double unexplained = 0.5;  ///< γ
+constexpr double unexplained = 0.5;   ///< γ
 
 /// A symmetric matrix as a vector of the same norm.
 Eigen::Vector3d asVector(const Eigen::Matrix2d& symmetric) {
@@ -58,9 +58,9 @@ public:
 			eigen_.eigenvectors() * inverse.asDiagonal() * eigen_.eigenvectors().transpose();
 		Eigen::Matrix3Xd result(3, responses_.size());
 		for (std::size_t i = 0; i < responses_.size(); ++i)
-			result.col(i) = asVector(toEquilateral_.transpose() * asMatrix(solve * responses_[i]) *
-									 toEquilateral_) *
-							scales_[i];
+			result.col(i) =
+				asVector(toEquilateral_.transpose() * asMatrix(solve * responses_[i]) * toEquilateral_) *
+				scales_[i];
 		return result;
 	}
 

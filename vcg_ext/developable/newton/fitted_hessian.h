@@ -24,16 +24,16 @@ struct TriangleBending {
 /// the edge times its length (Bergou et al. 2006, A Quadratic Bending Model for Inextensible Surfaces,
 /// Section 3). For a quadratic f it is a known linear function of its Hessian, K_e f = ⟨C_e, f''⟩. So the
 /// Hessian H of a triangle is fitted to the hinges round it, which are unfolded into its plane: least squares
-/// of (K_e f − ⟨C_e, H⟩) / |C_e|. Its own three hinges, which are six points, most often are enough; where they
-/// all but lie on a conic, or where a border takes some away, those of its neighbours, and theirs, are added. The
-/// energy is
+/// of (K_e f − ⟨C_e, H⟩) / |C_e|. Its own three hinges, which are six points, most often are enough; where
+/// they all but lie on a conic, or where a border takes some away, those of its neighbours, and theirs, are
+/// added. The energy is
 ///
 ///     A |H|² + Σ_e γ (K_e f − ⟨C_e, H⟩)² / (A_1 + A_2),    e: its own hinges,
 ///
-/// so it is exact for quadratic functions on any triangulation of the plane that determines them (the patch test),
-/// as a Morley element's is, with values at vertices only; it has no zero but affine functions, because the
-/// second term holds what no quadratic explains (as in virtual elements, Beirão da Veiga et al. 2013). Where nothing
-/// determines a quadratic, as on a strip of triangles, H is the smallest that fits.
+/// so it is exact for quadratic functions on any triangulation of the plane that determines them (the patch
+/// test), as a Morley element's is, with values at vertices only; it has no zero but affine functions,
+/// because the second term holds what no quadratic explains (as in virtual elements, Beirão da Veiga et al.
+/// 2013). Where nothing determines a quadratic, as on a strip of triangles, H is the smallest that fits.
 class FittedHessian {
 public:
 	/// \param areas  of the triangles

@@ -10,15 +10,17 @@ namespace developable::detail {
 
 namespace {
 
-/// The same shape with next to nothing added along its normals, a wave round the place farthest from the middle. A
-/// symmetric shape has as many ways to become developable as it has symmetries; rounding would choose between them, late
-/// and differently for every order of the vertices.
+/// The same shape with next to nothing added along its normals, a wave round the place farthest from the
+/// middle. A symmetric shape has as many ways to become developable as it has symmetries; rounding would
+/// choose between them, late and differently for every order of the vertices.
 Positions withoutSymmetry(const NewtonProblem& problem, const Positions& start) {
 	int farthest = 0;
 	(start.colwise() - start.rowwise().mean()).colwise().squaredNorm().maxCoeff(&farthest);
-	const Eigen::RowVectorXd distances = (start.colwise() - Eigen::Vector3d(start.col(farthest))).colwise().norm();
-	const Eigen::RowVectorXd wave = problem.tuning().symmetryBreaking * problem.diagonal() *
-									(problem.tuning().symmetryWaves * 2 * pi / problem.diagonal() * distances).array().cos();
+	const Eigen::RowVectorXd distances =
+		(start.colwise() - Eigen::Vector3d(start.col(farthest))).colwise().norm();
+	const Eigen::RowVectorXd wave =
+		problem.tuning().symmetryBreaking * problem.diagonal() *
+		(problem.tuning().symmetryWaves * 2 * pi / problem.diagonal() * distances).array().cos();
 	Positions moved = start + placeNormals(problem.assembly(), start) * wave.asDiagonal();
 	for (int place = 0; place < moved.cols(); ++place)
 		if (problem.assembly().placeFixed[place])
@@ -94,7 +96,8 @@ NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, 
 	if (ending == Ending::OutOfSteps && steps < maxIterations)
 		ending = Ending::Stuck;
 	const bool moved = ending != Ending::Stuck && run.iterations() > 0;
-	return {ending, run.iterations(), moved ? run.nearest() : start, smoothness, nearest, ending == Ending::Reached};
+	return {ending,     run.iterations(), moved ? run.nearest() : start,
+			smoothness, nearest,          ending == Ending::Reached};
 }
 
 } // namespace
@@ -112,7 +115,8 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 	for (int i = 0; i < tuning.attempts; ++i) {
 		problem.setSmoothness(smoothnesses);
 		const Progress progressOfThis = progressOfAttempt(progress, i + 1);
-		NewtonRun run(problem, withoutSymmetry(problem, start), maxIterations - best.iterations, progressOfThis);
+		NewtonRun run(problem, withoutSymmetry(problem, start), maxIterations - best.iterations,
+					  progressOfThis);
 		best.ending = attempt(problem, run, i > 0, best.nearestDevelopable);
 		best.iterations += run.iterations();
 		// The attempts before had ended by themselves, and stiffer triangles are what can't be solved for.

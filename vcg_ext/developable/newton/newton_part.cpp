@@ -74,8 +74,8 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 		result.ending = Ending::Stuck;
 		return result;
 	}
-	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations, options.memoryLimit,
-							options.tuning);
+	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations,
+							options.memoryLimit, options.tuning);
 	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
 	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
 			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};

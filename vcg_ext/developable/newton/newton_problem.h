@@ -27,10 +27,11 @@ struct Shape {
 class NewtonProblem {
 public:
 	/// \param memoryLimit  see SparseSolver
-	/// \param fairness     the shape's own bending counts, too: ‖x − x0‖²_W + φ ‖x‖²_B is to be least, B being what of
-	///                     W / α is bending. Up to a constant this is ‖x − x*‖² with φ added to α, and x* is the
-	///                     original with waves smoothed away that are shorter than the fairness times the root of their
-	///                     patch's area
+	/// \param fairness     the shape's own bending counts, too: ‖x − x0‖²_W + φ ‖x‖²_B is to be least, B
+	/// being what of
+	///                     W / α is bending. Up to a constant this is ‖x − x*‖² with φ added to α, and x* is
+	///                     the original with waves smoothed away that are shorter than the fairness times the
+	///                     root of their patch's area
 	/// \param smoothness   α at first
 	NewtonProblem(const PatchAssembly& assembly, const CurvatureGoal& goal, const NewtonTuning& tuning,
 				  double memoryLimit, double fairness = 0, double smoothness = 0);

@@ -60,10 +60,10 @@ std::string announce(const PatchAssembly& assembly, double seconds) {
 
 } // namespace
 
-NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal, int maxIterations,
-							   double memoryLimit, const NewtonTuning& tuning)
-	: smoothness_(smoothness), fairness_(fairness), goal_(goal), maxIterations_(maxIterations), memoryLimit_(memoryLimit),
-	  tuning_(tuning) {}
+NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal,
+							   int maxIterations, double memoryLimit, const NewtonTuning& tuning)
+	: smoothness_(smoothness), fairness_(fairness), goal_(goal), maxIterations_(maxIterations),
+	  memoryLimit_(memoryLimit), tuning_(tuning) {}
 
 /// With less room to move, for what the finest level adds.
 NewtonStrategy NewtonStrategy::coarser() const {
@@ -180,15 +180,19 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 		run.restart();
 		ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	}
-	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.smoothness,
-						  coarse.nearestDevelopable, coarse.bordersLimited};
+	NewtonOutcome outcome{ending,
+						  run.iterations(),
+						  run.nearest(),
+						  coarse.smoothness,
+						  coarse.nearestDevelopable,
+						  coarse.bordersLimited};
 	if (ending != Ending::Stuck || !solved)
 		return outcome;
 	const NewtonOutcome restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
-	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
-			std::max(coarse.smoothness, restored.smoothness), coarse.nearestDevelopable,
-			coarse.bordersLimited};
+	return {restored.ending,           outcome.iterations + restored.iterations,
+			restored.positions,        std::max(coarse.smoothness, restored.smoothness),
+			coarse.nearestDevelopable, coarse.bordersLimited};
 }
 
 } // namespace developable::detail

@@ -14,8 +14,8 @@ class NewtonStrategy {
 public:
 	/// \param memoryLimit  see SparseSolver
 	/// \param fairness     see NewtonProblem::setFairness
-	NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal, int maxIterations, double memoryLimit,
-				   const NewtonTuning& tuning);
+	NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal, int maxIterations,
+				   double memoryLimit, const NewtonTuning& tuning);
 
 	const CurvatureGoal& goal() const { return goal_; }
 	const NewtonTuning& tuning() const { return tuning_; }

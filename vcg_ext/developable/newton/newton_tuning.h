@@ -15,9 +15,9 @@ namespace developable {
 struct NewtonTuning {
 	// The metric.
 	double borderStiffness = 0.3; ///< β / α: how dear it is to bend a border beside bending the surface
-	double borderTurn = 4.8;     ///< degrees that a border may turn by more than before
-	int limitedSteps = 60;      ///< until borders may turn as they like
-	int foresights = 2;         ///< in a step: times that limits are added which it would exceed
+	double borderTurn = 4.8;      ///< degrees that a border may turn by more than before
+	int limitedSteps = 60;        ///< until borders may turn as they like
+	int foresights = 2;           ///< in a step: times that limits are added which it would exceed
 
 	// Continuation in ε: from the original to where next to nothing of the curvature is left.
 	double firstEpsilon = 0.25; ///< share of the greatest response of g to a force: begins near the original

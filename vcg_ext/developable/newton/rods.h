@@ -18,12 +18,12 @@ struct RodRules {
 	double crease = 40; ///< degrees: an inner edge whose triangles are folded by more is a crease
 };
 
-/// The joints of all borders, seams and creases of the original shape. Where several meet, those two go on into
-/// one another that turn least, then the next.
+/// The joints of all borders, seams and creases of the original shape. Where several meet, those two go on
+/// into one another that turn least, then the next.
 std::vector<RodJoint> rodJoints(const PatchAssembly& assembly, const RodRules& rules);
 
-/// The slope's change at a joint divided by the root of the length that it stands for: its squares add up to ∫|d''|² ds.
-/// \return  the coefficients of d before, at and after the joint, length^-3/2
+/// The slope's change at a joint divided by the root of the length that it stands for: its squares add up to
+/// ∫|d''|² ds. \return  the coefficients of d before, at and after the joint, length^-3/2
 Eigen::Vector3d rodBending(const PatchAssembly& assembly, const RodJoint& joint);
 
 /// The angle by which a curve turns at a joint, rad.

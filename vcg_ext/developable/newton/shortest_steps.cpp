@@ -6,7 +6,8 @@ namespace developable::detail {
 
 ShortestSteps::ShortestSteps(NewtonProblem& problem, NewtonRun& run)
 	: problem_(problem), run_(run), inverseMass_(problem.metric().placeMass().cwiseInverse()),
-	  farthest_(problem.tuning().shortestMove * edgeLengths(problem.assembly(), problem.assembly().originalPositions).minCoeff()),
+	  farthest_(problem.tuning().shortestMove *
+				edgeLengths(problem.assembly(), problem.assembly().originalPositions).minCoeff()),
 	  solver_(problem.memoryLimit()) {}
 
 Ending ShortestSteps::run() {
@@ -25,11 +26,14 @@ Ending ShortestSteps::run() {
 		const Positions whole = step(epsilon);
 		const double squared = run_.shape().scaledDefects.squaredNorm();
 		const double length = run_.descend(
-			whole, [](const Shape& shape) { return shape.scaledDefects.squaredNorm(); }, -squared, 0, farthest_);
+			whole, [](const Shape& shape) { return shape.scaledDefects.squaredNorm(); }, -squared, 0,
+			farthest_);
 		const double left = run_.shape().scaledDefects.squaredNorm() / squared;
 		if (length == 0 && i == 0 && whole.colwise().norm().maxCoeff() > farthest_)
 			return Ending::Stuck;
-		epsilon *= length == 0 ? tuning.normalRetry : left < tuning.normalGood ? tuning.normalFastDecrease : 1;
+		epsilon *= length == 0                ? tuning.normalRetry
+				   : left < tuning.normalGood ? tuning.normalFastDecrease
+											  : 1;
 	}
 	return run_.shape().reached ? Ending::Reached : Ending::Stuck;
 }

@@ -17,8 +17,8 @@ struct UnfoldedHinge {
 	double area;               ///< of both triangles
 };
 
-/// A triangle, its neighbours and so on, unfolded one over the edge of the other; a triangle that is reached in
-/// two ways is there twice.
+/// A triangle, its neighbours and so on, unfolded one over the edge of the other; a triangle that is reached
+/// in two ways is there twice.
 class UnfoldedHinges {
 public:
 	UnfoldedHinges(const PatchAssembly& assembly, const Eigen::VectorXd& areas, int triangle);
@@ -27,8 +27,10 @@ public:
 	bool widen();
 
 	const std::vector<UnfoldedHinge>& hinges() const { return hinges_; }
-	const std::vector<int>& places() const { return places_; }             ///< of the points
-	const std::vector<Eigen::Vector2d>& points() const { return points_; } ///< the triangle's own are the first
+	const std::vector<int>& places() const { return places_; } ///< of the points
+	const std::vector<Eigen::Vector2d>& points() const {
+		return points_;
+	} ///< the triangle's own are the first
 
 private:
 	struct Sheet {
