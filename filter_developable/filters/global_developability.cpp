@@ -132,12 +132,10 @@ std::vector<Parameter> parameters() {
 					"smoothness", ConstrainedNewtonOptions().smoothness, {0, true, 1}, "", "Smoothness",
 					"how much weight bending has against distance; larger values give fewer wrinkles. "
 					"They also move the surface more.")),
-		onlyFor(
-			Solver::ConstrainedNewton,
-			floatParameter(
-				"fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
-				"how much of the surface's own detail is smoothed away: bumps that are shorter than this share of "
-				"the panel's size. At 0 the surface keeps its detail.")),
+		onlyFor(Solver::ConstrainedNewton,
+				floatParameter("fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
+							   "how much detail is smoothed away: bumps that are shorter than this share of "
+							   "the panel's size. At 0 the surface keeps its detail.")),
 		onlyFor(
 			Solver::ConstrainedNewton,
 			automaticLength(

@@ -136,6 +136,7 @@ def _filled_in(text: str, values: Mapping[str, Any]) -> str:
 class GlobalReport(OptimizationReport):
     """What the global methods add."""
 
+    max_border_angle: float  # what a panel's angles add up to at a border vertex, at most; rad
     max_stretch: float  # of the result's pattern, per cent; -1 where it can't be laid flat
     max_compression: float
 

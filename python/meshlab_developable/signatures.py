@@ -151,8 +151,8 @@ def make_developable(
             less than this share of its first value.
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
             against distance; larger values give fewer wrinkles.
-        fairness (≤ 1; only for 'global'): Constrained Newton only: how much of the surface's own detail is
-            smoothed away: bumps that are shorter than this share of the panel's size.
+        fairness (≤ 1; only for 'global'): Constrained Newton only: how much detail is smoothed away: bumps
+            that are shorter than this share of the panel's size.
         max_displacement (length): Constrained Newton only: no vertex ends farther than this from where it
             was; -1 means 15 % of its part's diagonal. For 'local': How far a vertex may move along its
             original normal; -1 means the mean edge length.

@@ -29,7 +29,7 @@ ONLY_SELECTED = ("only_selected", "RichBool", "false", ())
 FIX_BOUNDARY = ("fix_boundary", "RichBool", "false", ())
 FIX_SELECTED = ("fix_selected", "RichBool", "false", ())
 ANGLE_TOLERANCE = ("angle_tolerance", "RichFloat", "0.0001", ())
-MAP = ("map", "RichEnum", "0", SEVEN_MAPS)
+MAP = ("map", "RichEnum", "6", SEVEN_MAPS)
 MATERIAL = (
     (
         "material",
@@ -56,6 +56,8 @@ PARAMETERS = {
         ("max_iterations", "RichInt", "200", ()),
         ("relative_change", "RichFloat", "0.0001", ()),
         ("smoothness", "RichFloat", "3e-06", ()),
+        ("fairness", "RichFloat", "0", ()),
+        ("max_displacement", "RichAbsPerc", "-1", ()),
         *MATERIAL,
         ("thickness", "RichAbsPerc", "0", ()),
         MAP,

@@ -158,8 +158,9 @@ def test_developable_input_is_left_alone():
         ({"weld_distance": "wide"}, ["weld_distance", "'wide'", "0 or more"]),
         ({"map": "Temperature"}, ["map", "'Temperature'", "'Gaussian map'"]),
         ({"fix_boundary": 1}, ["fix_boundary", "True or False"]),
-        ({"max_displacement": 1}, ["Global", "'max_displacement'"]),
-        ({"max_displacement": -1}, ["Global", "'max_displacement'"]),  # its default, but given
+        ({"max_operations": 1}, ["Global", "'max_operations'"]),
+        ({"max_operations": 500000}, ["Global", "'max_operations'"]),  # its default, but given
+        ({"fairness": 2}, ["fairness", "2"]),
         ({"method": "local", "solver": "Constrained Newton"}, ["Local", "'solver'"]),
         ({"smoothness": 0}, ["smoothness", "0", "greater than 0 and at most 1"]),
         ({"smoothness": 2}, ["smoothness", "2", "greater than 0 and at most 1"]),

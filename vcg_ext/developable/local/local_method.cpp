@@ -33,7 +33,7 @@ LocalMethodReport seamsMoveLast(const PatchAssembly& assembly, Positions& positi
 	detail::LocalOptimizer fixed(assembly, positions, first), together(assembly, positions, last);
 	Positions reached = positions;
 	if (fixed.anyMovable()) {
-		const LocalMethodReport report = fixed.run(reached, partOf(progress, 0, 0.5));
+		LocalMethodReport report = fixed.run(reached, partOf(progress, 0, 0.5));
 		if (report.status == Status::Stopped)
 			return report;
 		if (converged(report.status)) {

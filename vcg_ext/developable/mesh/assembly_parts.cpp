@@ -140,6 +140,7 @@ std::vector<AssemblyPart> partsOf(const PatchAssembly& whole) {
 	const Numbering parts = numberParts(whole);
 	const PartMaker maker(whole, parts);
 	std::vector<AssemblyPart> result;
+	result.reserve(parts.count);
 	for (int part = 0; part < parts.count; ++part)
 		result.push_back(maker.part(part));
 	return result;

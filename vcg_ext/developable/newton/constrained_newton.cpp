@@ -136,7 +136,7 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 	for (std::size_t i = 0; i < parts.size(); ++i)
 		positions(Eigen::all, parts[i].wholePlace) = outcomes[i].positions;
 	report.patchVerdicts = patchVerdicts(assembly, positions, goal, parts, outcomes);
-	describeShape(assembly, flatDefects(assembly, positions), report);
+	describeShape(assembly, angleDefects(assembly, positions), report);
 	if (report.status == Status::NeedsCut)
 		describeNeedOfCut(assembly, positions, worst, report);
 	else if (worst.ending == Ending::Unsolvable)

@@ -18,8 +18,11 @@ void TuningConstant::set(NewtonTuning& tuning, double value) const {
 		tuning.*std::get<double NewtonTuning::*>(member) = value;
 }
 
-const std::vector<TuningConstant>& tuningConstants() {
-	static const std::vector<TuningConstant> constants = {
+namespace {
+
+/// Of the metric and of each kind of step.
+std::vector<TuningConstant> constantsOfSteps() {
+	return {
 		{"borderStiffness", &NewtonTuning::borderStiffness},
 		{"borderTurn", &NewtonTuning::borderTurn},
 		{"limitedSteps", &NewtonTuning::limitedSteps},
@@ -55,6 +58,12 @@ const std::vector<TuningConstant>& tuningConstants() {
 		{"normalRetry", &NewtonTuning::normalRetry},
 		{"normalShortStep", &NewtonTuning::normalShortStep},
 		{"normalHalvings", &NewtonTuning::normalHalvings},
+	};
+}
+
+/// Of what holds for all steps, and of the strategy.
+std::vector<TuningConstant> constantsOfStrategy() {
+	return {
 		{"halvings", &NewtonTuning::halvings},
 		{"sparingRounds", &NewtonTuning::sparingRounds},
 		{"responseSteps", &NewtonTuning::responseSteps},
@@ -94,6 +103,18 @@ const std::vector<TuningConstant>& tuningConstants() {
 		{"coarseCotangent", &NewtonTuning::coarseCotangent},
 		{"coarseFan", &NewtonTuning::coarseFan},
 	};
+}
+
+std::vector<TuningConstant> joined(std::vector<TuningConstant> constants,
+								   const std::vector<TuningConstant>& others) {
+	constants.insert(constants.end(), others.begin(), others.end());
+	return constants;
+}
+
+} // namespace
+
+const std::vector<TuningConstant>& tuningConstants() {
+	static const std::vector<TuningConstant> constants = joined(constantsOfSteps(), constantsOfStrategy());
 	return constants;
 }
 

@@ -90,8 +90,8 @@ struct NewtonTuning {
 
 	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very
 	// thin triangles.
-	double workPerPlace = 4800;
-	double workOnSmall = 1.2e7; ///< at least: seconds
+	double workPerPlace = 20000;
+	double workOnSmall = 5e7;  ///< at least: seconds
 	double workTogether = 0.6;  ///< share of it before patches are frozen
 
 	// A start without symmetry.

@@ -96,6 +96,7 @@ private:
 
 	std::vector<char> test(const std::vector<Part>& parts) {
 		std::vector<PanelTrial> trials;
+		trials.reserve(parts.size());
 		for (const Part& part : parts)
 			trials.push_back(trialOf(part));
 		std::vector<char> mayGo;

@@ -87,6 +87,7 @@ private:
 
 	void joinThoseThatMay(const std::vector<SeamChain>& batch) {
 		std::vector<PanelTrial> trials;
+		trials.reserve(batch.size());
 		for (const SeamChain& chain : batch)
 			trials.push_back(trialOf(chain));
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);

@@ -112,6 +112,7 @@ std::vector<double> PanelPlan::maxDisplacements() const {
 	for (int place = 0; place < assembly.placeCount(); ++place)
 		boxes[parts.find(place)].extend(assembly.originalPositions.col(place));
 	std::vector<double> result;
+	result.reserve(assembly.patchCount());
 	for (int patch = 0; patch < assembly.patchCount(); ++patch)
 		result.push_back(defaultDisplacement *
 						 boxes[parts.find(assembly.placeCount() + patch)].diagonal().norm());
@@ -121,6 +122,7 @@ std::vector<double> PanelPlan::maxDisplacements() const {
 void PanelPlan::makeClusters() {
 	const int patches = surface_->assembly().patchCount();
 	std::vector<PanelTrial> trials;
+	trials.reserve(patches);
 	for (int patch = 0; patch < patches; ++patch)
 		trials.push_back({surface_->meshOf(surface_->trianglesOf(patch)), patch});
 	const std::vector<PanelVerdict> verdicts = tests_->test(trials);
@@ -181,6 +183,7 @@ bool PanelPlan::divideInTwo(int panel) {
 		labels[triangles[i]] = halves[i];
 	labels = withSelectedWhole(std::move(labels));
 	std::vector<int> ofPanel;
+	ofPanel.reserve(triangles.size());
 	for (const int t : triangles)
 		ofPanel.push_back(labels[t]);
 	if (std::equal(ofPanel.begin() + 1, ofPanel.end(), ofPanel.begin()))
