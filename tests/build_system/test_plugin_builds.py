@@ -62,7 +62,8 @@ def compiled_sources(build):
 def own_sources(adapter):
     folder = ROOT / "filter_developable"
     patterns = ("*.cpp", "filters/*.cpp", f"hosts/{adapter}/*.cpp")
-    return {str(path.relative_to(folder)) for pattern in patterns for path in folder.glob(pattern)}
+    made = {"materials_text.cpp"}  # of materials.json
+    return made | {str(path.relative_to(folder)) for pattern in patterns for path in folder.glob(pattern)}
 
 
 def test_a_link_to_the_plugin_in_meshlabs_tree_configures(meshlab_tree, tmp_path):

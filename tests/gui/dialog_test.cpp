@@ -109,7 +109,7 @@ private slots:
 		for (QLineEdit* line : dialog.findChildren<QLineEdit*>())
 			if (qobject_cast<QAbstractSpinBox*>(line->parentWidget()) == nullptr)
 				lines.push_back(line);
-		QCOMPARE(lines.size(), 5);
+		QCOMPARE(lines.size(), 8);
 		type(lines[0], "0.02"); // angle_tolerance
 		type(lines[2], "7");    // max_iterations
 		const QList<QCheckBox*> switches = dialog.findChildren<QCheckBox*>();

@@ -143,7 +143,7 @@ def test_results_are_the_filters_to_the_last_bit(name, target, mixed, tmp_path):
     assert {key: row[key] for key in values if key != "seconds"} == {
         key: value for key, value in values.items() if key != "seconds"
     }
-    assert set(row) == {"input", "state", "message", *values}
+    assert set(row) == {"input", "state", "message", "panels", *values}
 
 
 class Page(html.parser.HTMLParser):

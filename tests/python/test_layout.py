@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pattern_readers as readers
@@ -13,6 +14,8 @@ from meshlab_developable import PatternError
 from meshlab_developable.command_line import main
 from meshlab_developable.patterns import make_patterns
 from shapes import grid
+
+SHEET = Path(__file__).parents[2] / "meshes" / "sheet_bent.ply"
 
 
 def plates():
@@ -104,7 +107,7 @@ def test_a_file_that_is_no_layout_is_refused(written, tmp_path, change, words):
 
 def test_the_command_takes_a_layout(tmp_path):
     (tmp_path / "layout.json").write_text("[1]")
-    arguments = ["pattern", "meshes/sheet_bent.ply", "-o", tmp_path / "out", "--unit", "cm"]
+    arguments = ["pattern", str(SHEET), "-o", tmp_path / "out", "--unit", "cm"]
     result = CliRunner().invoke(main, [*map(str, arguments), "--layout", str(tmp_path / "layout.json")])
     assert result.exit_code == 2
     assert "is no layout" in result.output

@@ -45,7 +45,7 @@ def _without_formulas(table: pyarrow.Table) -> pyarrow.Table:
 def _table(rows: Sequence[Row], method: str) -> pyarrow.Table:
     report = METHODS[method][1]
     types = typing.get_type_hints(report)
-    names = [field.name for field in dataclasses.fields(report) if field.name != "panels"]
+    names = [field.name for field in dataclasses.fields(report) if field.name not in ("panels", "warnings")]
     schema = pyarrow.schema(
         [(name, pyarrow.string()) for name in ("input", "state", "message")]
         + [(name, _TYPES.get(types[name], pyarrow.int64())) for name in names]

@@ -17,6 +17,7 @@ using namespace std::chrono_literals;
 std::vector<Task> countingTasks(std::vector<int>& runs) {
 	runs.assign(100, 0);
 	std::vector<Task> tasks;
+	tasks.reserve(100);
 	for (int i = 0; i < 100; ++i)
 		tasks.push_back({1.0 + i % 7, [&runs, i](const Progress& progress) {
 							 ++runs[i];
@@ -48,6 +49,7 @@ TEST(ParallelTasks, TellTheCallingThreadOfAllTheWork) {
 		std::vector<double> told;
 		const auto caller = std::this_thread::get_id();
 		std::vector<Task> tasks;
+		tasks.reserve(4);
 		for (int i = 0; i < 4; ++i)
 			tasks.push_back({1, [](const Progress& progress) {
 								 for (int step = 1; step <= 4; ++step) {
@@ -72,6 +74,7 @@ TEST(ParallelTasks, StopWhenAsked) {
 	for (const int threads : {1, 3}) {
 		std::atomic<int> stopped = 0;
 		std::vector<Task> tasks;
+		tasks.reserve(6);
 		for (int i = 0; i < 6; ++i)
 			tasks.push_back({1, [&stopped](const Progress& progress) {
 								 while (progress(0.1, "waiting"))
@@ -89,6 +92,7 @@ TEST(ParallelTasks, PassOnWhatTheFirstOfThemThrows) {
 	for (const int threads : {1, 3}) {
 		std::atomic<int> runs = 0;
 		std::vector<Task> tasks;
+		tasks.reserve(20);
 		for (int i = 0; i < 20; ++i)
 			tasks.push_back({1, [&runs, i](const Progress&) {
 								 ++runs;
