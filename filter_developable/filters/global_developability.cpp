@@ -160,20 +160,13 @@ FilterDescription globalDevelopability() {
 	filter.shortName = "global";
 	filter.filterClass = FilterClass::Smoothing;
 	filter.change = Change::Positions;
+	// Short: the dialog has to fit on a small screen with all its parameters.
 	filter.help =
-		"Makes each panel of the layer as <b>developable</b> as it can be made, so that it can be cut from a "
-		"flat sheet, while the surface moves as little as possible and seams stay closed. All vertices move "
-		"together, which keeps the surface smooth.<br><br>"
-		"<b>Constrained Newton</b> brings the angle defect of every vertex to zero at the least deformation; "
-		"where there is no developable shape near, it stops and says that the panel needs a cut. <b>Conjugate "
-		"gradient</b> is the paper's method: it minimises the change of all edge lengths plus a penalty on the "
-		"detect function G, the sum of squared angle defects (Eq. 7 and 9).<br><br>"
-		"The log says how developable the surface was and is: D, the share of its area that is developable, G, "
-		"and C, the total absolute curvature, which unlike D does not depend on how fine the mesh is. Closed "
-		"surfaces must be cut first.<br><br>"
+		"Makes each panel of the layer <b>developable</b>, so that it can be cut from a flat sheet, while the "
+		"surface moves as little as possible and seams stay closed. The log says what came of each panel, and "
+		"where one needs a cut first; closed surfaces always do.<br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
-		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
-		"Section 4.";
+		"deformation</b>, The Visual Computer 20, 2004.";
 	filter.parameters = parameters();
 	filter.run = run;
 	return filter;
