@@ -92,7 +92,7 @@ struct NewtonTuning {
 	// thin triangles.
 	double workPerPlace = 20000;
 	double workOnSmall = 5e7;  ///< at least: seconds
-	double workTogether = 0.6;  ///< share of it before patches are frozen
+	double workTogether = 0.6; ///< share of it before patches are frozen
 
 	// A start without symmetry.
 	double symmetryBreaking = 1e-4; ///< share of the diagonal
