@@ -46,7 +46,7 @@ public:
 	/// J d.
 	Eigen::VectorXd apply(const Positions& displacement) const;
 
-	/// What each row can change by at most when no place moves farther than this, to first and second order.
+	/// What each row can change by at most when no place moves farther than this.
 	Eigen::VectorXd greatestChange(double farthest) const;
 
 	/// Jᵀ y.

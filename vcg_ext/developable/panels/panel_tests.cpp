@@ -2,8 +2,6 @@
 // panel_tests.cpp: tests in parallel; a stop reaches them all.
 #include "panel_tests.h"
 
-#include "parallel.h"
-
 namespace developable::detail {
 
 namespace {
@@ -23,14 +21,15 @@ PanelLimits PanelTests::limitsOf(int patch) const {
 
 std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {
 	std::vector<PanelVerdict> verdicts(trials.size());
-	inParallel(static_cast<int>(trials.size()), [&](int i, bool ofCaller) {
-		const Progress progress = [&](double, const std::string&) {
-			return ofCaller ? mayGoOn(fractionDone_, message_) : !stopped_;
-		};
-		if (stopped_)
-			return;
-		verdicts[i] = testPanel(trials[i].panel, limitsOf(trials[i].patch), progress);
-	});
+	std::vector<Task> tasks;
+	tasks.reserve(trials.size());
+	for (std::size_t i = 0; i < trials.size(); ++i)
+		tasks.push_back({1, [&, i](const Progress& progress) {
+							 if (!stopped_)
+								 verdicts[i] =
+									 testPanel(trials[i].panel, limitsOf(trials[i].patch), progress);
+						 }});
+	runTasks(tasks, 0, [&](double, const std::string&) { return mayGoOn(fractionDone_, message_); });
 	return verdicts;
 }
 
