@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/fair_shape.h"
 #include "developable/newton/rods.h"
 #include "developable/newton/shortest_steps.h"
 #include "newton_problems.h"
@@ -124,13 +125,31 @@ TEST(Fairness, SmoothsTheSurfacesOwnDetail) {
 	EXPECT_EQ(positions, assembly.originalPositions);
 }
 
-TEST(Fairness, AimsAtTheOriginalWithoutIt) {
-	const PatchAssembly assembly = assembled(jitteredGrid(9, 9, saddle));
-	EXPECT_EQ(detail::NewtonProblem(assembly, {1e-4, 1e-4}, {}, 0).aim(), assembly.originalPositions);
-	// A flat sheet is as smooth as it can be: bending does not pull at it.
+TEST(Fairness, FairShapeIsSmootherAndOnTheSurface) {
+	const PatchAssembly smooth = assembled(jitteredGrid(25, 25, bumpedCylinder));
+	const PatchAssembly assembly = assembled(noisy(jitteredGrid(25, 25, bumpedCylinder), 0.1));
+	const double noise = (assembly.originalPositions - smooth.originalPositions).colwise().norm().maxCoeff();
+	const PatchAssembly fair = detail::fairShape(assembly, 1e-6, {1e-4, 1e-4}, {}, 0);
+	EXPECT_LT(roughness(fair, fair.originalPositions), 0.7 * roughness(assembly, assembly.originalPositions));
+	EXPECT_LT(distancesToSurface(fair.originalPositions, smooth.originalPositions, smooth.trianglePlaces)
+				  .maxCoeff(),
+			  noise);
+}
+
+TEST(Fairness, FairShapeKeepsWhatIsFlatOrHeldOrBounded) {
+	// A flat sheet is as smooth as it can be.
 	const PatchAssembly sheet = assembled(jitteredGrid(9, 9, flatSheet));
-	const detail::NewtonProblem problem(sheet, {1e-4, 1e-4}, {}, 0, 0.5, 3e-6);
-	EXPECT_LT((problem.aim() - sheet.originalPositions).norm(), 1e-3);
+	const PatchAssembly fairSheet = detail::fairShape(sheet, 1e-5, {1e-4, 1e-4}, {}, 0);
+	EXPECT_LT((fairSheet.originalPositions - sheet.originalPositions).norm(), 1e-9);
+	PatchAssembly held = assembled(noisy(jitteredGrid(15, 15, wave), 0.1));
+	for (int place = 0; place < held.placeCount(); place += 3)
+		held.placeFixed[place] = 1;
+	const PatchAssembly fair = detail::fairShape(held, 1e-6, {1e-4, 1e-4}, {}, 0);
+	EXPECT_NE(fair.originalPositions, held.originalPositions);
+	for (int place = 0; place < held.placeCount(); place += 3)
+		EXPECT_EQ(fair.originalPositions.col(place), held.originalPositions.col(place));
+	const PatchAssembly near = detail::fairShape(held, 1e-6, {1e-4, 1e-4, 1e-6}, {}, 0);
+	EXPECT_LE((near.originalPositions - held.originalPositions).colwise().norm().maxCoeff(), 1e-6);
 }
 
 } // namespace

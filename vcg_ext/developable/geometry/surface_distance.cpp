@@ -7,13 +7,18 @@
 
 namespace developable {
 
+Positions nearestOnSurface(const Positions& points, const Positions& vertices,
+						   const Eigen::Matrix3Xi& triangles) {
+	detail::TriangleTree tree(vertices, triangles);
+	Positions nearest(3, points.cols());
+	for (const int i : spatialOrder(points))
+		nearest.col(i) = tree.nearestTo(points.col(i));
+	return nearest;
+}
+
 Eigen::VectorXd distancesToSurface(const Positions& points, const Positions& vertices,
 								   const Eigen::Matrix3Xi& triangles) {
-	detail::TriangleTree tree(vertices, triangles);
-	Eigen::VectorXd distances(points.cols());
-	for (const int i : spatialOrder(points))
-		distances[i] = tree.distance(points.col(i));
-	return distances;
+	return (points - nearestOnSurface(points, vertices, triangles)).colwise().norm();
 }
 
 } // namespace developable

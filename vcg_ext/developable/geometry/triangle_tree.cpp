@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// triangle_tree.cpp: distances to triangles, and the search for the least.
+// triangle_tree.cpp: the nearest points of triangles, and the search for the nearest of all.
 #include "triangle_tree.h"
 
 #include <algorithm>
@@ -9,29 +9,32 @@
 namespace developable::detail {
 namespace {
 
-double squaredDistanceToSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& start,
-								const Eigen::Vector3d& end) {
-	const Eigen::Vector3d along = end - start, from = point - start;
+Eigen::Vector3d nearestOnSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& start,
+								 const Eigen::Vector3d& end) {
+	const Eigen::Vector3d along = end - start;
 	const double length = along.squaredNorm();
-	const double share = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
-	return (from - share * along).squaredNorm();
+	const double share = length > 0 ? std::clamp((point - start).dot(along) / length, 0.0, 1.0) : 0;
+	return start + share * along;
 }
 
 /// vcglib has such a function too (PointDistanceBase), but it looks at one edge only when the point lies
 /// outside two, which is too far at an obtuse corner.
-double squaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
-								 const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+								  const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
 	const Eigen::Vector3d normal = (b - a).cross(c - a);
 	const auto isInside = [&](const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
 		return (end - start).cross(point - start).dot(normal) > 0;
 	};
 	if (isInside(a, b) && isInside(b, c) && isInside(c, a)) {
-		// Divided before it is squared: the sixth power of a length leaves the range of numbers soon.
-		const double height = normal.dot(point - a) / normal.norm();
-		return height * height;
+		// Of length 1 first: the sixth power of a length leaves the range of numbers soon.
+		const Eigen::Vector3d direction = normal / normal.norm();
+		return point - direction.dot(point - a) * direction;
 	}
-	return std::min({squaredDistanceToSegment(point, a, b), squaredDistanceToSegment(point, b, c),
-					 squaredDistanceToSegment(point, c, a)});
+	Eigen::Vector3d nearest = nearestOnSegment(point, a, b);
+	for (const Eigen::Vector3d& other : {nearestOnSegment(point, b, c), nearestOnSegment(point, c, a)})
+		if ((point - other).squaredNorm() < (point - nearest).squaredNorm())
+			nearest = other;
+	return nearest;
 }
 
 } // namespace
@@ -48,23 +51,23 @@ TriangleTree::TriangleTree(const Positions& vertices, const Eigen::Matrix3Xi& tr
 	tree_.init(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
 }
 
-double TriangleTree::distance(const Eigen::Vector3d& point) {
-	squaredDistance_ = squaredDistanceTo(nearest_, point);
+Eigen::Vector3d TriangleTree::nearestTo(const Eigen::Vector3d& point) {
+	squaredDistance_ = (point - nearestIn(nearest_, point)).squaredNorm();
 	descend(tree_.getRootIndex(), point);
-	return std::sqrt(squaredDistance_);
+	return nearestIn(nearest_, point);
 }
 
-double TriangleTree::squaredDistanceTo(int triangle, const Eigen::Vector3d& point) const {
+Eigen::Vector3d TriangleTree::nearestIn(int triangle, const Eigen::Vector3d& point) const {
 	const auto corners = triangles_.col(triangle);
-	return squaredDistanceToTriangle(point, vertices_.col(corners[0]), vertices_.col(corners[1]),
-									 vertices_.col(corners[2]));
+	return nearestOnTriangle(point, vertices_.col(corners[0]), vertices_.col(corners[1]),
+							 vertices_.col(corners[2]));
 }
 
 void TriangleTree::descend(int node, const Eigen::Vector3d& point) {
 	const int *box = nullptr, *boxEnd = nullptr, *triangle = nullptr, *triangleEnd = nullptr;
 	tree_.getChildren(node, box, boxEnd, triangle, triangleEnd);
 	for (; triangle != triangleEnd; ++triangle) {
-		const double squared = squaredDistanceTo(*triangle, point);
+		const double squared = (point - nearestIn(*triangle, point)).squaredNorm();
 		if (squared < squaredDistance_) {
 			squaredDistance_ = squared;
 			nearest_ = *triangle;

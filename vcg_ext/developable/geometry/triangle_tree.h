@@ -15,11 +15,11 @@ public:
 	/// Both must outlive the tree; at least one triangle.
 	TriangleTree(const Positions& vertices, const Eigen::Matrix3Xi& triangles);
 
-	/// Distance from a point to the nearest triangle.
-	double distance(const Eigen::Vector3d& point);
+	/// The point of the surface that is nearest to one.
+	Eigen::Vector3d nearestTo(const Eigen::Vector3d& point);
 
 private:
-	double squaredDistanceTo(int triangle, const Eigen::Vector3d& point) const;
+	Eigen::Vector3d nearestIn(int triangle, const Eigen::Vector3d& point) const;
 
 	/// Looks at a node's triangles, then at its boxes, the nearer one first.
 	void descend(int node, const Eigen::Vector3d& point);

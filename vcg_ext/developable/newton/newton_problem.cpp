@@ -2,31 +2,19 @@
 // newton_problem.cpp: shapes, and the metric that goes with them.
 #include "newton_problem.h"
 
-#include <cmath>
-
 namespace developable::detail {
 
-NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const CurvatureGoal& goal,
-							 const NewtonTuning& tuning, double memoryLimit, double fairness,
-							 double smoothness)
-	: assembly_(assembly), goal_(goal), tuning_(tuning), memoryLimit_(memoryLimit),
-	  diagonal_(boxDiagonal(assembly.originalPositions)), metric_(assembly, tuning, memoryLimit),
+NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const PatchAssembly& reference,
+							 const CurvatureGoal& goal, const NewtonTuning& tuning, double memoryLimit,
+							 double shapeSmoothness)
+	: assembly_(assembly), reference_(reference), goal_(goal), tuning_(tuning), memoryLimit_(memoryLimit),
+	  diagonal_(boxDiagonal(assembly.originalPositions)), metric_(reference, tuning, memoryLimit),
 	  jacobian_(assembly, metric_.placeMass(), tuning.borderTurn * pi / 180), soundness_(assembly, tuning),
-	  shapeSmoothness_(std::pow(fairness / (2 * pi), 4)),
-	  aim_(fairness > 0 ? smoothed(smoothness) : assembly.originalPositions) {}
+	  shapeSmoothness_(shapeSmoothness) {}
 
 void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
 	metric_.setSmoothness(smoothness.array() + shapeSmoothness_);
 	jacobian_.setPlaceMass(metric_.weight());
-}
-
-/// The original where rounding spoils the system.
-Positions NewtonProblem::smoothed(double smoothness) {
-	const Positions& original = assembly_.originalPositions;
-	setSmoothness(Eigen::VectorXd::Constant(assembly_.patchCount(), smoothness));
-	if (!metric_.factorize())
-		return original;
-	return original - metric_.solve(metric_.bendingForce(original, shapeSmoothness_));
 }
 
 Shape NewtonProblem::shapeAt(const Positions& positions) const {

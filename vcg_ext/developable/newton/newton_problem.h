@@ -27,26 +27,27 @@ struct Shape {
 class NewtonProblem {
 public:
 	/// \param memoryLimit  see SparseSolver
-	/// \param fairness     the shape's own bending counts, too: ‖x − x0‖²_W + φ ‖x‖²_B is to be least, B
-	/// being what of
-	///                     W / α is bending. Up to a constant this is ‖x − x*‖² with φ added to α, and x* is
-	///                     the original with waves smoothed away that are shorter than the fairness times the
-	///                     root of their patch's area
-	/// \param smoothness   α at first
 	NewtonProblem(const PatchAssembly& assembly, const CurvatureGoal& goal, const NewtonTuning& tuning,
-				  double memoryLimit, double fairness = 0, double smoothness = 0);
+				  double memoryLimit)
+		: NewtonProblem(assembly, assembly, goal, tuning, memoryLimit, 0) {}
+
+	/// \param reference        the same assembly with other original positions, what the shape is to be near
+	/// and where
+	///                         displacements are measured from; see fairShape
+	/// \param shapeSmoothness  φ: how dear it is to bend beside α
+	NewtonProblem(const PatchAssembly& assembly, const PatchAssembly& reference, const CurvatureGoal& goal,
+				  const NewtonTuning& tuning, double memoryLimit, double shapeSmoothness);
 
 	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, per patch
 	void setSmoothness(const Eigen::VectorXd& smoothness);
 
-	/// x*, what the shape is to be near: the original unless there is a fairness.
-	const Positions& aim() const { return aim_; }
-
 	Shape shapeAt(const Positions& positions) const;
 
-	/// From what the shape is to be near.
-	Positions displacement(const Shape& shape) const { return shape.positions - aim_; }
+	/// From the reference.
+	Positions displacement(const Shape& shape) const {
+		return shape.positions - reference_.originalPositions;
+	}
 
 	/// Makes places heavier, see BendingMetric.
 	void weigh(const Eigen::VectorXd& masses);
@@ -69,17 +70,14 @@ public:
 	void setBudget(std::shared_ptr<WorkBudget> budget) { budget_ = std::move(budget); }
 
 private:
-	Positions smoothed(double smoothness);
-
-	const PatchAssembly& assembly_;
+	const PatchAssembly &assembly_, &reference_;
 	const CurvatureGoal goal_;
 	const NewtonTuning tuning_;
 	const double memoryLimit_, diagonal_;
 	BendingMetric metric_;
 	DefectJacobian jacobian_;
 	Soundness soundness_;
-	double shapeSmoothness_; // φ
-	Positions aim_;          // x*
+	const double shapeSmoothness_; // φ
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 };
 

@@ -3,6 +3,7 @@
 #include "newton_strategy.h"
 
 #include "coarsening.h"
+#include "fair_shape.h"
 #include "normal_steps.h"
 #include "prolongation.h"
 #include "shortest_steps.h"
@@ -62,8 +63,8 @@ std::string announce(const PatchAssembly& assembly, double seconds) {
 
 NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal,
 							   int maxIterations, double memoryLimit, const NewtonTuning& tuning)
-	: smoothness_(smoothness), fairness_(fairness), goal_(goal), maxIterations_(maxIterations),
-	  memoryLimit_(memoryLimit), tuning_(tuning) {}
+	: smoothness_(smoothness), shapeSmoothness_(std::pow(fairness / (2 * pi), 4)), goal_(goal),
+	  maxIterations_(maxIterations), memoryLimit_(memoryLimit), tuning_(tuning) {}
 
 /// With less room to move, for what the finest level adds.
 NewtonStrategy NewtonStrategy::coarser() const {
@@ -76,40 +77,44 @@ NewtonStrategy NewtonStrategy::coarser() const {
 
 NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positions& start,
 									const Progress& progress) const {
-	if (fairness_ == 0) {
-		NewtonOutcome outcome = solveShortest(assembly, start, progress);
+	const Level finest = levelOf(assembly, 1);
+	if (!finest.fair) {
+		NewtonOutcome outcome = solveShortest(finest, start, progress);
 		if (outcome.ending != Ending::Stuck)
 			return outcome;
 	}
-	NewtonOutcome outcome = solveLevel({assembly, 1}, start, progress);
+	NewtonOutcome outcome = solveLevel(finest, start, progress);
 	if (outcome.ending != Ending::Stuck || !outcome.bordersLimited)
 		return outcome;
 	// What the coarse levels could do without kinks the finest may not.
 	NewtonStrategy free = *this;
 	free.tuning_.limitedSteps = 0;
-	return free.solveLevel({assembly, 1}, start, progress);
+	return free.solveLevel(finest, start, progress);
 }
 
-NewtonOutcome NewtonStrategy::solveShortest(const PatchAssembly& assembly, const Positions& start,
+NewtonOutcome NewtonStrategy::solveShortest(const Level& level, const Positions& start,
 											const Progress& progress) const {
-	NewtonProblem problem = problemOf({assembly, 1});
+	NewtonProblem problem = problemOf(level);
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, start, maxIterations_, progress);
 	const Ending ending = ShortestSteps(problem, run).run();
 	return {ending, run.iterations(), run.shape().positions, smoothness_};
 }
 
+NewtonStrategy::Level NewtonStrategy::levelOf(const PatchAssembly& assembly, double coarseness) const {
+	Level level{assembly, coarseness, {}};
+	if (shapeSmoothness_ > 0)
+		level.fair = fairShape(assembly, shapeSmoothness_, goal_, tuning_, memoryLimit_);
+	return level;
+}
+
 /// A border may turn at one vertex by so much more as edges are longer.
 NewtonProblem NewtonStrategy::problemOf(const Level& level) const {
 	NewtonTuning tuning = tuning_;
 	tuning.borderTurn *= level.coarseness;
-	NewtonProblem problem(level.assembly, goal_, tuning, memoryLimit_, fairness_, smoothness_);
+	NewtonProblem problem(level.assembly, level.reference(), goal_, tuning, memoryLimit_, shapeSmoothness_);
 	problem.setBudget(budget_);
 	return problem;
-}
-
-Positions NewtonStrategy::aimOf(const Level& level) const {
-	return fairness_ > 0 ? problemOf(level).aim() : level.assembly.originalPositions;
 }
 
 NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& start,
@@ -124,7 +129,7 @@ NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& st
 	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)
 		return solveCoarsest(level, start, progress);
 	const double sizes = double(places) / coarse.assembly.placeCount();
-	const Level coarseLevel{coarse.assembly, level.coarseness * std::sqrt(sizes)};
+	const Level coarseLevel = levelOf(coarse.assembly, level.coarseness * std::sqrt(sizes));
 
 	const double coarseShare =
 		expectedWork(coarse.assembly.placeCount(), tuning_) / expectedWork(places, tuning_);
@@ -138,7 +143,8 @@ NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& st
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 	const std::string announcement = announce(assembly, taken.count() * std::pow(sizes, growth));
 	const Positions displacement =
-		prolonged(assembly, coarse, coarseOutcome.positions - aimOf(coarseLevel), tuning_, memoryLimit_);
+		prolonged(assembly, coarse, coarseOutcome.positions - coarseLevel.reference().originalPositions,
+				  tuning_, memoryLimit_);
 	return refine(level, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
 }
 
@@ -172,7 +178,7 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 	NewtonProblem problem = problemOf(level);
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
 	problem.jacobian().freeBorders(true);
-	const Positions moved = problem.aim() + displacement - assembly.originalPositions;
+	const Positions moved = level.reference().originalPositions + displacement - assembly.originalPositions;
 	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
 	const bool solved = coarse.ending == Ending::Reached;
 	Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();

@@ -5,6 +5,8 @@
 
 #include "newton_attempt.h"
 
+#include <optional>
+
 namespace developable::detail {
 
 /// Large patches are first solved with a quarter of their vertices, in the same way. That solution's
@@ -13,7 +15,9 @@ namespace developable::detail {
 class NewtonStrategy {
 public:
 	/// \param memoryLimit  see SparseSolver
-	/// \param fairness     see NewtonProblem::setFairness
+	/// \param fairness     the shape's own bending counts, too: waves that are shorter than this share of the
+	/// root of
+	///                     their patch's area are smoothed away
 	NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal, int maxIterations,
 				   double memoryLimit, const NewtonTuning& tuning);
 
@@ -31,22 +35,23 @@ public:
 private:
 	struct Level {
 		const PatchAssembly& assembly;
-		double coarseness; ///< edges are so many times as long as on the finest level
+		double coarseness;                 ///< edges are so many times as long as on the finest level
+		std::optional<PatchAssembly> fair; ///< what the shape is to be near; the original where there is none
+
+		const PatchAssembly& reference() const { return fair ? *fair : assembly; }
 	};
 
+	Level levelOf(const PatchAssembly& assembly, double coarseness) const;
 	NewtonProblem problemOf(const Level& level) const;
-	/// What the shape is to be near, see NewtonProblem::aim.
-	Positions aimOf(const Level& level) const;
 	/// What is developable but for rounding needs no more than that. Stuck where it is not.
-	NewtonOutcome solveShortest(const PatchAssembly& assembly, const Positions& start,
-								const Progress& progress) const;
+	NewtonOutcome solveShortest(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome solveLevel(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonStrategy coarser() const;
 	NewtonOutcome solveCoarsest(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome refine(const Level& level, const Positions& displacement, const NewtonOutcome& coarse,
 						 const Progress& progress) const;
 
-	double smoothness_, fairness_;
+	double smoothness_, shapeSmoothness_; // α, φ
 	CurvatureGoal goal_;
 	int maxIterations_;
 	double memoryLimit_;

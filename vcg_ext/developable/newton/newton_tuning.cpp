@@ -27,6 +27,7 @@ std::vector<TuningConstant> constantsOfSteps() {
 		{"borderTurn", &NewtonTuning::borderTurn},
 		{"limitedSteps", &NewtonTuning::limitedSteps},
 		{"foresights", &NewtonTuning::foresights},
+		{"fairSteps", &NewtonTuning::fairSteps},
 		{"firstEpsilon", &NewtonTuning::firstEpsilon},
 		{"leastEpsilon", &NewtonTuning::leastEpsilon},
 		{"epsilonDecrease", &NewtonTuning::epsilonDecrease},

@@ -19,6 +19,8 @@ struct NewtonTuning {
 	int limitedSteps = 60;        ///< until borders may turn as they like
 	int foresights = 2;           ///< in a step: times that limits are added which it would exceed
 
+	int fairSteps = 5; ///< from the original to its fair shape
+
 	// Continuation in ε: from the original to where next to nothing of the curvature is left.
 	double firstEpsilon = 0.25; ///< share of the greatest response of g to a force: begins near the original
 	double leastEpsilon = 4e-5; ///< share of the first: below it, rounding makes the systems' solutions
