@@ -143,7 +143,7 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 			call.log("warning: " + sentence);
 		write(call, assembly, result.positions, panels);
 		call.log(
-			"way back: MeshLab does not undo filters; File, Reload reads the layer's shape from its file again");
+			"way back: MeshLab does not undo filters, but the filter Restore Original Shape takes this one back");
 	}
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 	results.push_back({"seconds", elapsed.count(), ""});

@@ -55,10 +55,11 @@ std::optional<ReferenceShape> referenceShape(FilterCall& call, const PatchAssemb
 	CMeshO& current = call.layer.mesh();
 	if (&chosen != &current)
 		return fromOtherLayer(current, chosen, assembly);
-	std::optional<Positions> original = readPointAttribute(current, "original_position", assembly);
+	const std::optional<Positions> original = readPointAttribute(current, "original_position");
 	if (!original)
 		return std::nullopt;
-	return ReferenceShape{*original, assembly.trianglePlaces, original};
+	const Positions places = atPlaces(assembly, *original);
+	return ReferenceShape{places, assembly.trianglePlaces, places};
 }
 
 } // namespace developable::plugin

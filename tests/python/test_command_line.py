@@ -159,7 +159,7 @@ def test_bad_meshes_are_2_in_words(content, words, tmp_path):
         (["local", SHOE, "-o", "out.ply", "--max-operations", "1.5"], "whole number"),
         (["local", SHOE, "-o", "out.ply", "--fix-boundary"], "--fix-boundary"),
         (["measure", SHOE, SHELL, "-o", "out.ply"], "one mesh"),
-        (["script", "sideways"], "global, local, maps, flatten, cut, triangulate"),
+        (["script", "sideways"], "global, local, maps, flatten, cut, restore, triangulate"),
         (["script", "global", "angle_tolerence=1"], "'angle_tolerance'"),
         (["script", "global", "angle_tolerance"], "name=value"),
         (["script", "global", "solver=2"], "'Constrained Newton'"),
@@ -179,6 +179,7 @@ STORED = {
     "maps": "developability_maps",
     "flatten": "flatten_patches",
     "cut": "cut_into_developable_panels",
+    "restore": "restore_original_shape",
     "triangulate": "triangulate_polygons",
 }
 
