@@ -21,7 +21,7 @@ FILTERS = {
     "compute_scalar_by_developability_per_vertex": r"Developability Maps: [\d.]+ rad of total absolute c",
     "generate_flat_patches": r"Flatten Patches: 1 piece laid flat; edges change by at most [\d.]+ %",
     "meshing_polygons_to_constrained_delaunay": r"Triangulate Polygons \(Constrained Delaunay\): 0 poly",
-    "apply_coord_restore_original_shape": r"Restore Original Shape: \d+ vertices moved back .* at most [\d.]+",
+    "apply_coord_restore_original_shape": r"Restore Original Shape: \d+ vertices moved .* at most [\d.]+",
 }
 
 
