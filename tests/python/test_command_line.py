@@ -58,7 +58,7 @@ def test_every_command_has_help_with_examples(name):
         "[rad; 0 or more, greater than 0 with the solver 'Constrained Newton'; default: 0.0001]",
         "[length, or % of the mesh's diagonal; default: -1]",
         "[greater than 0 and at most 1; default: 3e-06]",
-        "equal coordinates. [length; default: 0]",
+        "equal coordinates. [length, or % of the mesh's diagonal; default: 0]",
     ],
 )
 def test_help_has_units_ranges_and_defaults(note):
