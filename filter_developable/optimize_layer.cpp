@@ -136,7 +136,11 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	const std::string reason = reasonInWords(report, results);
 	results.push_back({"status", static_cast<int>(report.status),
 					   statusInWords(report, reason, before, after, angleTolerance)});
-	call.verdict(reason);
+	call.verdict(reason +
+				 filledIn("; {total_absolute_curvature_after} of "
+						  "{total_absolute_curvature_before} rad of curvature left, moved by at most "
+						  "{max_displacement} units of the mesh",
+						  results));
 	logPanels(call, panels);
 	if (report.status != Status::Stopped) {
 		for (const std::string& sentence : departuresInWords(results, assembly, result.positions))

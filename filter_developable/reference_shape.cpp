@@ -55,11 +55,10 @@ std::optional<ReferenceShape> referenceShape(FilterCall& call, const PatchAssemb
 	CMeshO& current = call.layer.mesh();
 	if (&chosen != &current)
 		return fromOtherLayer(current, chosen, assembly);
-	const std::optional<Positions> original = readPointAttribute(current, "original_position");
+	std::optional<Positions> original = readPointAttribute(current, "original_position", assembly);
 	if (!original)
 		return std::nullopt;
-	const Positions places = atPlaces(assembly, *original);
-	return ReferenceShape{places, assembly.trianglePlaces, places};
+	return ReferenceShape{*original, assembly.trianglePlaces, original};
 }
 
 } // namespace developable::plugin

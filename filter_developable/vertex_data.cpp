@@ -63,14 +63,16 @@ void writeColours(CMeshO& mesh, const PatchAssembly& assembly, const std::vector
 	});
 }
 
-std::optional<Positions> readPointAttribute(CMeshO& mesh, const std::string& name) {
+std::optional<Positions> readPointAttribute(CMeshO& mesh, const std::string& name,
+											const PatchAssembly& assembly) {
 	auto found = Allocator::FindPerVertexAttribute<Point>(mesh, name);
 	if (!Allocator::IsValidHandle(mesh, found))
 		return std::nullopt;
-	Positions points(3, Eigen::Index(mesh.vert.size()));
-	for (std::size_t vertex = 0; vertex < mesh.vert.size(); ++vertex)
+	Positions points(3, assembly.placeCount());
+	forEachVertex(assembly, [&](std::size_t vertex, int place) {
 		for (int axis = 0; axis < 3; ++axis)
-			points(axis, Eigen::Index(vertex)) = double(found[vertex][axis]);
+			points(axis, place) = found[vertex][axis];
+	});
 	return points;
 }
 

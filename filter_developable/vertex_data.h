@@ -23,7 +23,8 @@ void writePointAttribute(CMeshO& mesh, const std::string& name, const PatchAssem
 void writeQuality(CMeshO& mesh, const PatchAssembly& assembly, const Eigen::VectorXd& values);
 void writeColours(CMeshO& mesh, const PatchAssembly& assembly, const std::vector<vcg::Color4b>& colours);
 
-/// A custom attribute of points, a column a vertex, or nothing when the mesh has none of that name.
-std::optional<Positions> readPointAttribute(CMeshO& mesh, const std::string& name);
+/// A custom attribute of points as the places have it, or nothing when the mesh has none of that name.
+std::optional<Positions> readPointAttribute(CMeshO& mesh, const std::string& name,
+											const PatchAssembly& assembly);
 
 } // namespace developable::plugin

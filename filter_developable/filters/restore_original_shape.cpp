@@ -1,52 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // restore_original_shape.cpp: the filter Restore Original Shape, the way back from an optimisation.
 #include "../layer.h"
-#include "../vertex_data.h"
 #include "filters.h"
+
+#include "developable/mesh/mesh.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vcg/complex/allocate.h>
 
 namespace developable::plugin {
 
 namespace {
 
-/// Where the vertices were.
+using Allocator = vcg::tri::Allocator<CMeshO>;
+using Point = vcg::Point3<host::Scalar>;
+
+bool isFinite(const Point& point) {
+	return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+}
+
+/// Where the vertices were, to the last bit of the host's numbers.
 /// \throws MissingAttribute  when the mesh does not say so, or not with numbers
-Positions originalPositions(CMeshO& mesh) {
-	const std::optional<Positions> original = readPointAttribute(mesh, "original_position");
-	if (!original)
+CMeshO::PerVertexAttributeHandle<Point> originalPositions(CMeshO& mesh) {
+	auto original = Allocator::FindPerVertexAttribute<Point>(mesh, "original_position");
+	if (!Allocator::IsValidHandle(mesh, original))
 		throw MissingAttribute(
 			"The layer has no attribute 'original_position' to go back to: Global and Local Developability "
 			"leave one. Files do not keep it; File, Reload reads the shape that a file has.");
 	std::size_t invalid = 0;
 	for (std::size_t vertex = 0; vertex < mesh.vert.size(); ++vertex)
-		invalid += !mesh.vert[vertex].IsD() && !original->col(Eigen::Index(vertex)).allFinite();
+		invalid += !mesh.vert[vertex].IsD() && !isFinite(original[vertex]);
 	if (invalid > 0)
 		throw MissingAttribute(counted(invalid, "vertex has", "vertices have") +
 							   " an 'original_position' that is not a number: compute it anew.");
-	return *original;
+	return original;
 }
 
 Results run(FilterCall& call) {
 	CMeshO& mesh = call.layer.mesh();
 	if (mesh.vn == 0)
 		throw EmptyMesh("The mesh has no vertices to move back.");
-	const Positions original = originalPositions(mesh);
+	auto original = originalPositions(mesh);
 	int moved = 0;
 	double farthest = 0;
 	for (std::size_t vertex = 0; vertex < mesh.vert.size(); ++vertex) {
-		if (mesh.vert[vertex].IsD())
+		if (mesh.vert[vertex].IsD() || mesh.vert[vertex].cP() == original[vertex])
 			continue;
-		double squaredDistance = 0;
-		for (int axis = 0; axis < 3; ++axis) {
-			host::Scalar& coordinate = mesh.vert[vertex].P()[axis];
-			const double back = original(axis, Eigen::Index(vertex));
-			squaredDistance += std::pow(back - double(coordinate), 2);
-			coordinate = static_cast<host::Scalar>(back);
-		}
-		moved += squaredDistance > 0;
-		farthest = std::max(farthest, std::sqrt(squaredDistance));
+		++moved;
+		farthest = std::max(farthest, double(vcg::Distance(mesh.vert[vertex].cP(), original[vertex])));
+		mesh.vert[vertex].P() = original[vertex];
 	}
 	call.layer.positionsChanged();
 	call.verdict(counted(std::size_t(moved), "vertex", "vertices") +

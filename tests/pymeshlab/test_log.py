@@ -16,8 +16,8 @@ from meshlab_developable.departure import departure
 from shapes import bump, cylinder
 
 FILTERS = {
-    "apply_coord_global_developability": r"Global Developability: converged$",
-    "apply_coord_local_developability": r"Local Developability: ",
+    "apply_coord_global_developability": r"Global Developability: converged; [\d.e-]+ of [\d.]+ rad of .* at most [\d.]+ units",
+    "apply_coord_local_developability": r"Local Developability: .*; [\d.e-]+ of [\d.]+ rad of .* at most [\d.]+ units of the mesh",
     "compute_scalar_by_developability_per_vertex": r"Developability Maps: [\d.]+ rad of total absolute c",
     "generate_flat_patches": r"Flatten Patches: 1 piece laid flat; edges change by at most [\d.]+ %",
     "meshing_polygons_to_constrained_delaunay": r"Triangulate Polygons \(Constrained Delaunay\): 0 poly",
