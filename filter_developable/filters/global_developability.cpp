@@ -163,9 +163,9 @@ FilterDescription globalDevelopability() {
 	// Short: the dialog has to fit on a small screen with all its parameters.
 	filter.help =
 		"Makes each panel of the layer <b>developable</b>, so that it can be cut from a flat sheet, while the "
-		"surface moves as little as possible and seams stay closed. The log begins with what came of it, and says "
-		"where a cut is needed; closed surfaces always need one. There is no undo: <b>Restore Original Shape</b> "
-		"takes it back. Help explains each setting.<br>"
+		"surface moves as little as possible and seams stay closed. The log begins with what came of it and says "
+		"where a cut is needed, as on closed surfaces. There is no undo: <b>Restore Original Shape</b> takes it "
+		"back.<br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, The Visual Computer 20, 2004.";
 	filter.parameters = parameters();
 	filter.run = run;

@@ -48,7 +48,8 @@ Results run(FilterCall& call) {
 		if (mesh.vert[vertex].IsD() || mesh.vert[vertex].cP() == original[vertex])
 			continue;
 		++moved;
-		farthest = std::max(farthest, double(vcg::Distance(mesh.vert[vertex].cP(), original[vertex])));
+		const auto here = vcg::Point3d::Construct(mesh.vert[vertex].cP());
+		farthest = std::max(farthest, vcg::Distance(here, vcg::Point3d::Construct(original[vertex])));
 		mesh.vert[vertex].P() = original[vertex];
 	}
 	call.layer.positionsChanged();
