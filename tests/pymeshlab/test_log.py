@@ -15,9 +15,10 @@ from meshlab_developable import make_developable, mesh_sets
 from meshlab_developable.departure import departure
 from shapes import bump, cylinder
 
+LEFT = r"[\d.e-]+ of [\d.]+ rad of curvature left, moved by at most [\d.]+ units of the mesh"
 FILTERS = {
-    "apply_coord_global_developability": r"Global Developability: converged; [\d.e-]+ of [\d.]+ rad of .* at most [\d.]+ units",
-    "apply_coord_local_developability": r"Local Developability: .*; [\d.e-]+ of [\d.]+ rad of .* at most [\d.]+ units of the mesh",
+    "apply_coord_global_developability": rf"Global Developability: converged; {LEFT}",
+    "apply_coord_local_developability": rf"Local Developability: .*; {LEFT}",
     "compute_scalar_by_developability_per_vertex": r"Developability Maps: [\d.]+ rad of total absolute c",
     "generate_flat_patches": r"Flatten Patches: 1 piece laid flat; edges change by at most [\d.]+ %",
     "meshing_polygons_to_constrained_delaunay": r"Triangulate Polygons \(Constrained Delaunay\): 0 poly",
