@@ -70,14 +70,3 @@ def test_a_layer_that_was_never_optimised_is_refused_and_untouched():
     with pytest.raises(pymeshlab.PyMeshLabException, match="'original_position'"):
         meshes.apply_filter(RESTORE)
     assert state_of(meshes) == before
-
-
-def test_places_that_are_no_numbers_are_refused_and_counted():
-    positions, triangles = bump()
-    meshes = mesh_set((positions, triangles))
-    spoilt = positions.copy()
-    spoilt[[3, 7], 1] = [np.nan, np.inf]
-    meshes.current_mesh().add_vertex_custom_point_attribute(spoilt, "original_position")
-    with pytest.raises(pymeshlab.PyMeshLabException, match=" 2 vertices have an 'original_position'"):
-        meshes.apply_filter(RESTORE)
-    assert np.array_equal(positions_of(meshes), positions)
