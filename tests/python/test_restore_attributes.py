@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Restore Original Shape on attributes that others have made. Here, as pymeshlab 2022.2 spoils its memory when
-it makes any."""
+"""Restore Original Shape on attributes that others have made. Here, as pymeshlab 2022.2 spoils its memory
+when it makes any."""
 
 from __future__ import annotations
 
