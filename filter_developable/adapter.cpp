@@ -8,6 +8,7 @@
 
 #include "developable/mesh/mesh.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -88,6 +89,12 @@ double asTyped(double number) {
 	double typed = number;
 	std::from_chars(text.data(), end, typed);
 	return typed;
+}
+
+/// A layer's name without a file's ending, and without dots: windows show only what stands before one.
+QString shownName(QString label) {
+	static const QRegularExpression ending("\\.(?=[0-9]*[A-Za-z])[A-Za-z0-9]{2,4}$");
+	return label.remove(ending).replace('.', '_');
 }
 
 const CMeshO* chosenMesh(const Parameter& parameter, const RichParameterList& list,
@@ -171,8 +178,8 @@ Results runOnDocument(const FilterDescription& filter, MeshDocument& document,
 	if (document.mm() == nullptr)
 		throw EmptyMesh("There is no mesh: open one first.");
 	Layer layer(*document.mm());
-	const auto addLayer = [&document, label = document.mm()->label()](const std::string& suffix) {
-		return Layer(*document.addNewMesh(QString(), (label + toQString(suffix)).trimmed(), true));
+	const auto addLayer = [&document, name = shownName(document.mm()->label())](const std::string& suffix) {
+		return Layer(*document.addNewMesh(QString(), (name + toQString(suffix)).trimmed(), true));
 	};
 	FilterCall call{layer, {}, hostProgress(callback), log, addLayer};
 	for (const Parameter& parameter : filter.parameters)

@@ -136,14 +136,18 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	const std::string reason = reasonInWords(report, results);
 	results.push_back({"status", static_cast<int>(report.status),
 					   statusInWords(report, reason, before, after, angleTolerance)});
-	call.verdict(reason);
+	call.verdict(reason +
+				 filledIn("; {total_absolute_curvature_after} of "
+						  "{total_absolute_curvature_before} rad of curvature left, moved by at most "
+						  "{max_displacement} units of the mesh",
+						  results));
 	logPanels(call, panels);
 	if (report.status != Status::Stopped) {
 		for (const std::string& sentence : departuresInWords(results, assembly, result.positions))
 			call.log("warning: " + sentence);
 		write(call, assembly, result.positions, panels);
 		call.log(
-			"way back: MeshLab does not undo filters; File, Reload reads the layer's shape from its file again");
+			"way back: MeshLab does not undo filters, but the filter Restore Original Shape takes this one back");
 	}
 	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 	results.push_back({"seconds", elapsed.count(), ""});

@@ -241,7 +241,7 @@ def annotation_of(parameter: Any) -> str:
     if parameter["type"] == "enumeration":
         own_files = " | str" if parameter["name"] == "material" else ""
         return f"Literal[{', '.join(map(repr, parameter['choices']))}]{own_files}"
-    return {"bool": "bool", "int": "int", "float": "float", "length": "float", "mesh": "int"}[
+    return {"bool": "bool", "int": "int", "float": "float", "length": "float | str", "mesh": "int"}[
         parameter["type"]
     ]
 

@@ -130,14 +130,12 @@ FilterDescription developabilityMaps() {
 	filter.filterClass = FilterClass::Quality;
 	filter.change = Change::Scalars;
 	filter.help =
-		"Shows where the panels of a layer are not <b>developable</b>, that is, where they can't be laid flat "
-		"without strain, and how far an optimisation has moved them. The chosen map goes to the vertex quality, "
-		"all maps go to custom attributes of the vertices; only the elastic energy, for which the panels have to "
-		"be laid flat, waits until it is chosen. Where a vertex has a value in several patches the largest is "
-		"shown.<br><br>"
-		"The log says how developable the surface is: D, the share of its area that is developable (Eq. 2), G, "
-		"the sum of squared angle defects (Eq. 4), the largest angle defect, and C, the total absolute "
-		"curvature, which unlike D does not depend on how fine the mesh is.<br><br>"
+		"Shows in colours where the panels of a layer can't be laid flat without strain, that is, where they are "
+		"not <b>developable</b>, and how far an optimisation has moved them. Nothing moves. The chosen map goes "
+		"to the vertex quality, all maps but the elastic energy go to custom attributes; at a seam the largest "
+		"value is shown. Help says what each map is.<br><br>"
+		"The log begins with C, the total absolute curvature: 0 where all panels can be laid flat, and the same "
+		"however fine the mesh is. D, the share of the area that is developable, grows with finer meshes.<br><br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
 		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
 		"Sections 3 and 6.";

@@ -11,6 +11,7 @@ FilterDescription localDevelopability();
 FilterDescription developabilityMaps();
 FilterDescription patchFlattening();
 FilterDescription panelCutting();
+FilterDescription originalShapeRestoring();
 #ifdef DEVELOPABLE_HAS_CGAL
 FilterDescription polygonTriangulation();
 #endif
@@ -18,7 +19,7 @@ FilterDescription polygonTriangulation();
 inline std::vector<FilterDescription> allFilters() {
 	return {
 		globalDevelopability(), localDevelopability(), developabilityMaps(),
-		patchFlattening(),      panelCutting(),
+		patchFlattening(),      panelCutting(),        originalShapeRestoring(),
 #ifdef DEVELOPABLE_HAS_CGAL
 		polygonTriangulation(),
 #endif

@@ -163,10 +163,10 @@ FilterDescription globalDevelopability() {
 	// Short: the dialog has to fit on a small screen with all its parameters.
 	filter.help =
 		"Makes each panel of the layer <b>developable</b>, so that it can be cut from a flat sheet, while the "
-		"surface moves as little as possible and seams stay closed. The log says what came of each panel, and "
-		"where one needs a cut first; closed surfaces always do.<br>"
-		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
-		"deformation</b>, The Visual Computer 20, 2004.";
+		"surface moves as little as possible and seams stay closed. The log begins with what came of it and says "
+		"where a cut is needed, as on closed surfaces. There is no undo: <b>Restore Original Shape</b> takes it "
+		"back.<br>"
+		"See: <i>C. C. L. Wang, K. Tang</i>, The Visual Computer 20, 2004.";
 	filter.parameters = parameters();
 	filter.run = run;
 	return filter;

@@ -54,17 +54,15 @@ FilterDescription localDevelopability() {
 	filter.filterClass = FilterClass::Smoothing;
 	filter.change = Change::Positions;
 	filter.help =
-		"Makes each panel of the layer more <b>developable</b> by moving one vertex at a time along its "
-		"original normal, the one with the largest angle defect first. Vertices on boundaries and seams stay, "
-		"and no vertex moves farther than the largest displacement: a larger one gives more developability and "
-		"more wrinkles (Fig. 9 and 10). It is fast, but rougher than Global Developability.<br><br>"
-		"For a first try leave everything as it is. If angle defects remain, switch on <b>Only downhill</b> or "
-		"allow a larger displacement; if the surface wrinkles, try a <b>smoothing</b> of 0.01 to 0.1; if defects "
-		"sit along seams, let the seams <b>move together</b>; if layers of cloth lie close, <b>avoid "
+		"Makes each panel of the layer more <b>developable</b>, so that it comes nearer to what can be cut from a "
+		"flat sheet, by moving one vertex at a time, the worst one first. Edges and seams of panels stay. It is "
+		"fast, but rougher than Global Developability: begin with that.<br><br>"
+		"For a first try leave everything as it is. If curvature is left, switch on <b>Only downhill</b> or "
+		"allow a larger displacement; if the surface wrinkles, try a <b>smoothing</b> of 0.01 to 0.1; if it is "
+		"left along seams, let the seams <b>move together</b>; if layers of cloth lie close, <b>avoid "
 		"self-intersections</b>.<br><br>"
-		"The log says how developable the surface was and is: D, the share of its area that is developable, G, "
-		"the sum of squared angle defects, and C, the total absolute curvature, which unlike D does not depend "
-		"on how fine the mesh is. Closed surfaces must be cut first.<br><br>"
+		"The log begins with what came of it. Closed surfaces must be cut first. There is no undo: <b>Restore "
+		"Original Shape</b> takes it back. Help explains each setting, in the paper's terms.<br><br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
 		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
 		"Section 5.";

@@ -547,6 +547,13 @@ CUT = Filter(
     ),
 )
 
+RESTORE = Filter(
+    "restore",
+    "Restore Original Shape",
+    "apply_coord_restore_original_shape",
+    (),
+)
+
 TRIANGULATE = Filter(
     "triangulate",
     "Triangulate Polygons (Constrained Delaunay)",
@@ -554,7 +561,7 @@ TRIANGULATE = Filter(
     (),
 )
 
-FILTERS = (GLOBAL, LOCAL, MAPS, FLATTEN, CUT, TRIANGULATE)
+FILTERS = (GLOBAL, LOCAL, MAPS, FLATTEN, CUT, RESTORE, TRIANGULATE)
 
 
 class Status(enum.IntEnum):

@@ -18,7 +18,7 @@ from meshlab_developable.declared_counts import declared_faces
 from meshlab_developable.errors import FilterError, InvalidMeshError, LostFacesWarning
 from meshlab_developable.filters import Filter
 from meshlab_developable.names import printable
-from meshlab_developable.parameters import Length
+from meshlab_developable.parameters import Length, per_cent
 
 Array: TypeAlias = npt.NDArray[np.float64]
 IndexArray: TypeAlias = npt.NDArray[np.int32]
@@ -28,6 +28,7 @@ _ROOM = 1 << 16  # bytes; more than a block of any disk
 
 # A length given as a plain number; pymeshlab 2022.2 has it under the second name.
 _PlainLength = getattr(pymeshlab, "PureValue", None) or pymeshlab.AbsoluteValue
+_Share = getattr(pymeshlab, "PercentageValue", None) or pymeshlab.Percentage
 
 
 @runtime_checkable
@@ -82,7 +83,7 @@ def apply_filter(meshes: Any, applied: Filter, values: Mapping[str, Any]) -> dic
     """
     plugin.load()
     converted = {
-        name: _PlainLength(value) if isinstance(applied.parameter(name).kind, Length) else value
+        name: _length(value) if isinstance(applied.parameter(name).kind, Length) else value
         for name, value in values.items()
     }
     try:
@@ -91,6 +92,11 @@ def apply_filter(meshes: Any, applied: Filter, values: Mapping[str, Any]) -> dic
         forget_failure()
         raise FilterError(own_words(str(error))) from error
     return result
+
+
+def _length(value: float | str) -> Any:
+    """As pymeshlab takes lengths: in the mesh's unit, or as a share of the diagonal of the mesh's box."""
+    return _Share(per_cent(value)) if isinstance(value, str) else _PlainLength(value)
 
 
 def save(meshes: Any, path: Path) -> None:

@@ -118,24 +118,33 @@ class Number(Kind):
 
 @dataclasses.dataclass(frozen=True)
 class Length(Kind):
-    """A length in the mesh's unit, 0 or more; or -1 for the one that suits the mesh, where there is one."""
+    """A length in the mesh's unit, 0 or more; or a text like "2%", of the diagonal of the mesh's box.
+
+    Or -1 for the length that suits the mesh, where there is one.
+    """
 
     automatic: bool = False
     script_type = "RichAbsPerc"
 
-    def check(self, value: Any) -> float:
-        """Any kind of real number."""
+    def check(self, value: Any) -> float | str:
+        """Any kind of real number, or a share as a text."""
+        if isinstance(value, str) and _is_finite(per_cent(value)) and per_cent(value) >= 0:
+            return value
         if not _is_finite(value) or (value < 0 and not (self.automatic and value == -1)):
             own_choice = ", or -1 for the filter's own choice" if self.automatic else ""
-            raise ValueError(f"must be a finite length, 0 or more{own_choice}")
+            raise ValueError(
+                f"must be a finite length, 0 or more, or a share of the diagonal such as 2%{own_choice}"
+            )
         return float(value)
 
-    def parse(self, text: str) -> float:
-        """As Python writes numbers."""
+    def parse(self, text: str) -> float | str:
+        """As Python writes numbers, or such a number and %."""
         return self.check(_as_number(text))
 
     def script_attributes(self, value: Any) -> dict[str, str]:
         """With the range that MeshLab asks for and does not use."""
+        if isinstance(value, str):
+            raise ValueError("a script does not know the mesh: give a length in its unit")
         return {"value": f"{value:.15g}", "min": "0", "max": f"{max(1.0, value):.15g}"}
 
 
@@ -239,7 +248,7 @@ class Filter:
         that it does not take, saying what would do.
         """
         plain = {
-            name: _convert(name, value, self.parameter(name).kind.check) for name, value in values.items()
+            name: converted(name, value, self.parameter(name).kind.check) for name, value in values.items()
         }
         if "material" in plain:
             plain = materials.resolved(plain)
@@ -248,7 +257,7 @@ class Filter:
 
     def parsed(self, texts: Mapping[str, str]) -> dict[str, Any]:
         """The values that texts stand for. Raises as `checked` does."""
-        return {name: _convert(name, text, self.parameter(name).kind.parse) for name, text in texts.items()}
+        return {name: converted(name, text, self.parameter(name).kind.parse) for name, text in texts.items()}
 
     def _check_for_solver(self, values: Mapping[str, Any]) -> None:
         solver = values.get("solver") or next(
@@ -262,11 +271,18 @@ class Filter:
                 )
 
 
-def _convert(name: str, value: Any, conversion: Callable[[Any], Any]) -> Any:
+def converted(name: str, value: Any, conversion: Callable[[Any], Any]) -> Any:
+    """What the conversion makes of the value. Raises InvalidParameterError where it raises ValueError."""
     try:
         return conversion(value)
     except ValueError as error:
         raise InvalidParameterError(f"{name} is {value!r}, but {error}") from None
+
+
+def per_cent(text: str) -> float:
+    """The number before the % at the end of a text; NaN where there is none."""
+    number = _as_number(text.strip().removesuffix("%"))
+    return number if isinstance(number, float) and text.strip().endswith("%") else math.nan
 
 
 def _is_integer(value: Any) -> bool:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from meshlab_developable.filters import Filter
+from meshlab_developable.parameters import converted
 
 
 def script_text(applied: Filter, values: Mapping[str, Any] | None = None) -> str:
@@ -24,7 +25,8 @@ def script_text(applied: Filter, values: Mapping[str, Any] | None = None) -> str
     for parameter in applied.parameters:
         value = chosen.get(parameter.name, parameter.default)
         attributes = {"name": parameter.name, "type": parameter.kind.script_type}
-        ElementTree.SubElement(element, "Param", attributes | parameter.kind.script_attributes(value))
+        attributes |= converted(parameter.name, value, parameter.kind.script_attributes)
+        ElementTree.SubElement(element, "Param", attributes)
     ElementTree.indent(root, " ")
     text = ElementTree.tostring(root, encoding="unicode").replace(" />", "/>")
     return f"<!DOCTYPE FilterScript>\n{text}\n"

@@ -28,7 +28,7 @@ def measure(
     patches: Literal[
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
-    weld_distance: float = 0.0,
+    weld_distance: float | str = 0.0,
     angle_tolerance: float = 0.0001,
     map: Literal[
         "Gaussian map",
@@ -84,7 +84,7 @@ def make_developable(
     patches: Literal[
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
-    weld_distance: float = 0.0,
+    weld_distance: float | str = 0.0,
     fix_boundary: bool = False,
     angle_tolerance: float = 0.0001,
     curvature_tolerance: float = 0.0001,
@@ -92,7 +92,7 @@ def make_developable(
     relative_change: float = 0.0001,
     smoothness: float = 3e-06,
     fairness: float = 0.0,
-    max_displacement: float = -1.0,
+    max_displacement: float | str = -1.0,
     material: Literal[
         "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
     ]
@@ -100,7 +100,7 @@ def make_developable(
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
-    thickness: float = 0.0,
+    thickness: float | str = 0.0,
     map: Literal[
         "Gaussian map",
         "Angle defect",
@@ -193,8 +193,8 @@ def cut_into_panels(
     patches: Literal[
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
-    weld_distance: float = 0.0,
-    max_displacement: float = -1.0,
+    weld_distance: float | str = 0.0,
+    max_displacement: float | str = -1.0,
     material: Literal[
         "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
     ]
@@ -260,7 +260,7 @@ def flatten(
     patches: Literal[
         "Connected components", "Face colour", "Texture islands", "Face quality"
     ] = "Connected components",
-    weld_distance: float = 0.0,
+    weld_distance: float | str = 0.0,
     material: Literal[
         "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
     ]
@@ -268,7 +268,7 @@ def flatten(
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
-    gap: float = -1.0,
+    gap: float | str = -1.0,
     map: Literal["Edge strain", "Elastic energy", "Stretch", "Compression"] = "Edge strain",
     write_texture_coordinates: bool = False,
     colorize: bool = True,

@@ -14,7 +14,7 @@ namespace developable::test {
 namespace {
 
 const QString globalFilter = "Global Developability", localFilter = "Local Developability",
-			  mapsFilter = "Developability Maps";
+			  mapsFilter = "Developability Maps", restoreFilter = "Restore Original Shape";
 
 /// What the host's callback saw; it is a plain function, so this can't be anywhere else.
 struct CallbackRecord {
@@ -151,6 +151,22 @@ private slots:
 				 (std::vector<std::string>{"displacement", "original_position"}));
 	}
 
+	void theWayBackGoesBackToTheLastBit() {
+		MeshDocument document;
+		MeshModel& layer = addLayer(document, jitteredGrid(9, 9, bumpedCylinder));
+		const std::vector<CMeshO::CoordType> before = pointsOf(layer);
+		for (const QString& filter : {globalFilter, localFilter}) {
+			const Outcome there =
+				plugin_.apply(filter, document, plugin_.parameters(filter, document), nullptr);
+			QVERIFY(!there.log.filter(QRegularExpression("^way back: .*" + restoreFilter)).isEmpty());
+			QVERIFY(pointsOf(layer) != before);
+			QVERIFY(plugin_.parameters(restoreFilter, document).isEmpty());
+			QVERIFY(plugin_.apply(restoreFilter, document, RichParameterList(), nullptr).succeeded);
+			QVERIFY(pointsOf(layer) == before);
+		}
+		expectRefusal(restoreFilter, jitteredGrid(9, 9, bumpedCylinder), "'original_position'");
+	}
+
 	void errorsAreSaidAndLeaveTheLayerAsItWas_data() { allFilters(); }
 	void errorsAreSaidAndLeaveTheLayerAsItWas() {
 		QFETCH(QString, filter);
@@ -178,6 +194,13 @@ private slots:
 	}
 
 private:
+	static std::vector<CMeshO::CoordType> pointsOf(const MeshModel& layer) {
+		std::vector<CMeshO::CoordType> points;
+		for (const CVertexO& vertex : layer.cm.vert)
+			points.push_back(vertex.cP());
+		return points;
+	}
+
 	static void allFilters() {
 		QTest::addColumn<QString>("filter");
 		for (const QString& filter : {globalFilter, localFilter, mapsFilter})

@@ -84,6 +84,20 @@ def test_polygons_are_triangulated_without_a_dialog(meshlab, tmp_path):
     keep(host.desktop.still(), SCREENSHOTS / "Triangulate Polygons.png")
 
 
+def test_the_way_back_shows_the_model_as_it_was_without_a_dialog(meshlab):
+    host = meshlab(SHELL)
+    dialog = host.open("Global Developability")
+    dialog.click(0.75, 20)
+    host.wait_for_log("Applied filter Global Developability")
+    dialog.click(0.25, 20)
+    [moved] = [line.split(": ")[1] for line in host.log() if line.startswith("max_displacement: ")]
+    host.find("Restore Original Shape")
+    host.wait_for_log("Applied filter Restore Original Shape")
+    log = host.log()
+    assert [line for line in log if line.startswith("max_displacement: ")][-1] == f"max_displacement: {moved}"
+    keep(host.desktop.still(), SCREENSHOTS / "Restore Original Shape.png")
+
+
 def quadrangles(file):
     """A bent sheet of 4 x 4 quadrangles."""
     lines = ["ply", "format ascii 1.0", "element vertex 25"]

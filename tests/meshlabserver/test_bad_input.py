@@ -54,7 +54,7 @@ def test_a_face_without_area(name, tmp_path):
 def test_a_closed_patch(name, tmp_path):
     sentence = refusal(tmp_path, octahedron(), mlx_scripts.filter_element(name))
     assert "1 of 1 patch is closed" in sentence
-    assert "cut it open" in sentence
+    assert "cut it open ('developable cut' on the command line, the filter Cut into Developable" in sentence
 
 
 @pytest.mark.parametrize(

@@ -147,3 +147,12 @@ def test_maps_of_change_after_an_optimisation(title, tmp_path):
 def test_maps_accept_closed_surfaces(tmp_path):
     run, _ = server.results(tmp_path, octahedron(), mlx_scripts.filter_element(mlx_scripts.MAPS))
     assert run.number("total_absolute_curvature") == pytest.approx(4 * np.pi, rel=1e-7)
+
+
+@OPTIMIZERS
+def test_the_way_back_gives_the_file_that_was_read(name, tmp_path):
+    original, triangles = in_floats(bump())
+    back = mlx_scripts.filter_element("restore_original_shape")
+    run, saved = server.results(tmp_path, (original, triangles), mlx_scripts.filter_element(name), back)
+    assert np.array_equal(positions_of(saved), original)
+    assert run.number("moved_vertices") > 0

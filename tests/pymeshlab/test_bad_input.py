@@ -67,7 +67,7 @@ def test_closed_patches(name):
     sentence = refusal(mesh_set(both), name)
     assert "1 of 2 patches" in sentence
     assert "closed" in sentence
-    assert "cut it open" in sentence
+    assert "cut it open ('developable cut' on the command line, the filter Cut into Developable" in sentence
 
 
 @ALL

@@ -228,13 +228,17 @@ def test_texture_coordinates_are_the_patterns_scaled():
     assert again["pieces"] == returned["pieces"] == 2
 
 
-def test_the_layer_is_named_after_the_mesh(tmp_path):
-    mesh_set(bump()).save_current_mesh(str(tmp_path / "panel.ply"))
+@pytest.mark.parametrize(
+    ("file", "name"), [("panel.ply", "panel pattern"), ("sleeve v1.2.obj", "sleeve v1_2 pattern")]
+)
+def test_the_layer_is_named_after_the_mesh_and_nothing_follows_a_dot_which_windows_leave_out(
+    file, name, tmp_path
+):
+    mesh_set(bump()).save_current_mesh(str(tmp_path / file))
     meshes = pymeshlab.MeshSet()
-    meshes.load_new_mesh(str(tmp_path / "panel.ply"))
-    name = meshes.current_mesh().label()
+    meshes.load_new_mesh(str(tmp_path / file))
     meshes.apply_filter(FLATTEN)
-    assert meshes.current_mesh().label() == f"{name} pattern"
+    assert meshes.current_mesh().label() == name
 
 
 def with_handle():

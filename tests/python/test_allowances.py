@@ -177,19 +177,33 @@ def test_pieces_are_as_the_model_stands(tmp_path, turn, axis):
     assert abs(widths[0] - widths[1]) == pytest.approx(108, abs=1)
 
 
-def test_validation_curves_are_on_the_standards_layers(tmp_path):
+@pytest.mark.parametrize("outline", ["fair", "exact"])
+def test_each_line_is_there_once_more_for_validation_and_each_of_its_points_is_marked(tmp_path, outline):
     positions, faces = grid(9, 9, lambda u, v: (100 * u, 100 * v + 15 * np.sin(np.pi * u), 0 * u))
-    make_patterns(positions, faces, folder=tmp_path, formats=["dxf"])
+    middle = abs(positions[faces].mean(axis=1)[:, :2] - (50, 61)).max(axis=1) < 12
+    line = [row * 9 + 1 for row in range(2, 5)]
+    make_patterns(
+        positions,
+        faces[~middle],
+        folder=tmp_path,
+        formats=["dxf"],
+        outline=outline,
+        internal_lines=[positions[line]],
+    )
     document = ezdxf.readfile(tmp_path / "pattern.dxf")
     (block,) = (block for block in document.blocks if block.name == "PIECE_1")
-    for layer, check in (("1", "84"), ("14", "87")):
-        line, curve = (
-            np.array(
-                [point.dxf.location for point in block.query(f'POLYLINE[layer=="{name}"]').first.vertices]
-            )
-            for name in (layer, check)
-        )
-        np.testing.assert_array_equal(line, curve)
+    marked = {
+        tuple(np.round(point.dxf.location, 6)) for point in block.query('POINT[layer=="2" | layer=="3"]')
+    }
+
+    def lines(layer):
+        found = block.query(f'POLYLINE[layer=="{layer}"]')
+        return [[tuple(np.round(point.dxf.location, 6)) for point in one.vertices] for one in found]
+
+    for layer, check in (("1", "84"), ("8", "85"), ("11", "86"), ("14", "87")):
+        assert lines(layer), layer
+        assert lines(layer) == lines(check)
+        assert {point for line in lines(layer) for point in line} <= marked
 
 
 def test_no_tile_cuts_the_square(tmp_path):

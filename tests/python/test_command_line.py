@@ -32,6 +32,8 @@ def by_the_filter(mesh: Path, filter_name: str, **parameters: object):
     meshlab_developable.load()
     meshes = pymeshlab.MeshSet()
     meshes.load_new_mesh(str(mesh))
+    shares = {name: value for name, value in parameters.items() if str(value).endswith("%")}
+    parameters |= {name: pymeshlab.PercentageValue(float(text[:-1])) for name, text in shares.items()}
     values = meshes.apply_filter(filter_name, **parameters)
     return meshes, values
 
@@ -54,8 +56,9 @@ def test_every_command_has_help_with_examples(name):
     "note",
     [
         "[rad; 0 or more, greater than 0 with the solver 'Constrained Newton'; default: 0.0001]",
+        "[length, or % of the mesh's diagonal; default: -1]",
         "[greater than 0 and at most 1; default: 3e-06]",
-        "equal coordinates. [length; default: 0]",
+        "equal coordinates. [length, or % of the mesh's diagonal; default: 0]",
     ],
 )
 def test_help_has_units_ranges_and_defaults(note):
@@ -98,6 +101,7 @@ def test_measure_writes_the_map_to_a_reference(tmp_path):
             {"solver": "Conjugate gradient", "max_iterations": 20, "fix_boundary": True},
         ),
         ("local", filters.LOCAL, {"max_operations": 3000, "descent": True, "smoothing": 0.01}),
+        ("local", filters.LOCAL, {"max_displacement": "0.2%"}),
     ],
 )
 def test_the_result_is_the_filters_to_the_last_bit(command, applied, options, tmp_path):
@@ -159,10 +163,12 @@ def test_bad_meshes_are_2_in_words(content, words, tmp_path):
         (["local", SHOE, "-o", "out.ply", "--max-operations", "1.5"], "whole number"),
         (["local", SHOE, "-o", "out.ply", "--fix-boundary"], "--fix-boundary"),
         (["measure", SHOE, SHELL, "-o", "out.ply"], "one mesh"),
-        (["script", "sideways"], "global, local, maps, flatten, cut, triangulate"),
+        (["script", "sideways"], "global, local, maps, flatten, cut, restore, triangulate"),
         (["script", "global", "angle_tolerence=1"], "'angle_tolerance'"),
         (["script", "global", "angle_tolerance"], "name=value"),
         (["script", "global", "solver=2"], "'Constrained Newton'"),
+        (["script", "local", "max_displacement=2%"], "give a length in its unit"),
+        (["global", SHOE, "-o", "out.ply", "--max-displacement", "two%"], "such as 2%"),
     ],
 )
 def test_bad_requests_are_2_in_words(arguments, words, tmp_path, monkeypatch):
@@ -179,6 +185,7 @@ STORED = {
     "maps": "developability_maps",
     "flatten": "flatten_patches",
     "cut": "cut_into_developable_panels",
+    "restore": "restore_original_shape",
     "triangulate": "triangulate_polygons",
 }
 

@@ -8,32 +8,31 @@ import os
 import re
 import subprocess
 import sys
-from pathlib import Path
 from urllib.parse import unquote
 
 import numpy as np
 import pymeshlab
 import pytest
 import reference_measures as reference
-from meshlab_developable.demo.__main__ import METHODS, demo_inputs, run
+from conftest import PANTS
+from meshlab_developable.demo.__main__ import ANGLE_TOLERANCE, METHODS, demo_inputs, run
 from meshlab_developable.demo.document import flatness, verdict
 from meshlab_developable.demo.study import MAPS, Input
+from meshlab_developable.demo.study import study as study_of
 from pattern_readers import read_dxf_blocks
 
-PANTS = Path(__file__).parents[2] / "meshes" / "short_pants.obj"
+
+@pytest.fixture
+def folder(demonstration):
+    return demonstration[0]
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    return tmp_path_factory.mktemp("demo")
+@pytest.fixture
+def study(demonstration):
+    return demonstration[1]
 
 
-@pytest.fixture(scope="module")
-def study(folder):
-    return run([Input(PANTS, "Short pants <of four panels>.", "cm")], METHODS, folder)[0]
-
-
-@pytest.fixture(scope="module")
+@pytest.fixture
 def page(folder, study):
     return (folder / "report.html").read_text(encoding="utf-8")
 
@@ -46,7 +45,8 @@ def read_back(file):
 
 
 def test_inputs_of_the_demo_exist():
-    assert [source.name for source in demo_inputs()] == ["dented_shell", "bunny10k_textured", "short_pants"]
+    names = [source.name for source in demo_inputs()]
+    assert names == ["dented_shell", "bunny10k_textured", "short_pants", "toy"]
     assert all(source.path.is_file() for source in demo_inputs())
 
 
@@ -118,9 +118,10 @@ def test_the_map_of_elastic_energy_is_of_laying_flat_where_there_is_a_pattern(st
 
 def test_without_a_flat_pattern_there_is_no_map_of_elastic_energy(tmp_path):
     [local] = [method for method in METHODS if not method.flatten][1:]
-    [result] = run([Input(PANTS, "Short pants.", "cm")], [local], tmp_path)
+    kinds = [kind for kind in MAPS if kind.title in ("Displacement", "Elastic energy")]
+    result = study_of(Input(PANTS, "Short pants.", "cm"), [local], ANGLE_TOLERANCE, tmp_path, kinds)
     assert result.pattern is None
-    assert [figure.title for figure in result.figures] == [kind.title for kind in MAPS if not kind.of_pattern]
+    assert [figure.title for figure in result.figures] == ["Displacement"]
 
 
 def test_the_flat_result_is_there_to_print_and_cut(study, folder):
@@ -193,6 +194,44 @@ def test_the_verdict_comes_first_and_the_cutting_sheet_is_shown(study, page):
     assert flatness(study.outcomes[0].pattern) in card
     sheet = page[page.index("<svg") : page.index("</svg>")]
     assert sheet.count('class="boundary"') == 4
+
+
+@pytest.fixture(scope="module")
+def barrel_folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("barrel")
+
+
+@pytest.fixture(scope="module")
+def barrel(barrel_folder):
+    """A closed surface, which has to be cut."""
+    meshes = pymeshlab.MeshSet()
+    meshes.create_cone(r0=2, r1=1, h=3, subdiv=24)
+    meshes.save_current_mesh(str(barrel_folder / "barrel.ply"))
+    [result] = run(
+        [Input(barrel_folder / "barrel.ply", "A barrel.", "cm", cut=True)], METHODS, barrel_folder / "out"
+    )
+    return result
+
+
+def test_a_closed_surface_is_cut_sewn_and_laid_flat(barrel, barrel_folder):
+    [outcome] = barrel.outcomes  # of the method that goes all the way
+    assert outcome.report.developable
+    assert len(barrel.cut.panels) == barrel.measures.patches == len(outcome.report.panels) > 1
+    assert np.ptp(barrel.vertices, axis=0).max() == pytest.approx(4, rel=0.01)
+    assert len(np.unique(outcome.vertices.round(9), axis=0)) < len(outcome.vertices)  # seams are closed
+    file = next(file for file in outcome.pattern.to_cut if file.suffix == ".dxf")
+    assert len(read_dxf_blocks(file)) == len(barrel.cut.panels)
+    assert [figure.title for figure in barrel.figures] == [
+        "Panels",
+        "Angle defect",
+        "Displacement",
+        "Flat pattern",
+    ]
+    words = f"Cut into {len(barrel.cut.panels)} panels with {barrel.cut.darts} dart"
+    out = barrel_folder / "out"
+    assert words in (out / "report.txt").read_text("utf-8")
+    page = (out / "report.html").read_text("utf-8")
+    assert words in page[page.index('class="card') : page.index("</a>")]
 
 
 def test_every_figure_is_a_picture(study):

@@ -140,6 +140,16 @@ def test_lengths_are_plain_numbers(shell):
     assert 0 < result.report.max_displacement <= 0.05 * (1 + 1e-12)
 
 
+def test_lengths_may_be_shares_of_the_diagonal(shell):
+    diagonal = np.linalg.norm(np.ptp(shell[0], axis=0))
+    by_share, by_length = (
+        meshlab_developable.make_developable(*shell, method="local", max_displacement=limit)
+        for limit in ("0.5%", 0.005 * diagonal)
+    )
+    assert by_share.vertices == pytest.approx(by_length.vertices, abs=1e-9 * diagonal)
+    assert by_share.report.max_displacement == pytest.approx(0.005 * diagonal, rel=1e-3)
+
+
 def test_developable_input_is_left_alone():
     positions, triangles, _ = reference.read_obj(ROOT / "meshes" / "sheet_bent.obj")
     result = meshlab_developable.make_developable(positions, triangles, method="local")
@@ -156,6 +166,8 @@ def test_developable_input_is_left_alone():
         ({"angle_tolerance": float("nan")}, ["angle_tolerance", "nan"]),
         ({"max_iterations": 1.5}, ["max_iterations", "1.5", "whole"]),
         ({"weld_distance": "wide"}, ["weld_distance", "'wide'", "0 or more"]),
+        ({"weld_distance": "-1%"}, ["weld_distance", "'-1%'", "0 or more"]),
+        ({"weld_distance": "nan%"}, ["weld_distance", "'nan%'", "finite"]),
         ({"map": "Temperature"}, ["map", "'Temperature'", "'Gaussian map'"]),
         ({"fix_boundary": 1}, ["fix_boundary", "True or False"]),
         ({"max_operations": 1}, ["Global", "'max_operations'"]),

@@ -77,7 +77,7 @@ def test_files_and_sheets(pants):
 def test_dxf_has_a_block_a_piece_with_closed_lines_on_the_standards_layers(pants, blocks):
     assert sorted(blocks) == ["PIECE_1", "PIECE_2", "PIECE_3", "PIECE_4"]
     for layers in blocks.values():
-        assert set(layers) == {"1", "2", "3", "4", "7", "14", "15"}
+        assert set(layers) == {"1", "2", "3", "4", "7", "14", "15", "84", "87"}
         for layer in ("1", "14"):
             (line,) = (geometry for geometry in layers[layer] if geometry.geom_type != "Point")
             assert shapely.get_coordinates(line)[0] == pytest.approx(shapely.get_coordinates(line)[-1])

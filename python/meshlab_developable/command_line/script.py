@@ -32,7 +32,9 @@ def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: s
 @click.argument("values", metavar="[NAME=VALUE]...", nargs=-1, shell_complete=complete_parameter)
 @shared.output_option("The file to write, not the terminal.", required=False)
 def command(filter_name: str, values: tuple[str, ...], output: Path | None) -> None:
-    """Write a MeshLab script (.mlx) that applies FILTER: global, local, maps, flatten or triangulate.
+    """Write a MeshLab script (.mlx) that applies FILTER.
+
+    FILTER is global, local, maps, flatten, cut, restore or triangulate.
 
     The script has every parameter, those not named at their defaults, and runs in meshlabserver 2020.09, in
     later MeshLabs and in pymeshlab.

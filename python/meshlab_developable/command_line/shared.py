@@ -19,7 +19,7 @@ from click.shell_completion import CompletionItem
 from meshlab_developable.errors import DevelopableError, InvalidParameterError, LostFacesWarning
 from meshlab_developable.filters import Filter
 from meshlab_developable.names import printable
-from meshlab_developable.parameters import Boolean, Choice, Kind, Number, Parameter
+from meshlab_developable.parameters import Boolean, Choice, Kind, Length, Number, Parameter
 
 
 class Exit(enum.IntEnum):
@@ -165,7 +165,8 @@ def _option(parameter: Parameter) -> Callable[[Callable[..., Any]], Callable[...
     name = "--" + parameter.name.replace("_", "-")
     kind = parameter.kind
     allowed = kind.range_in_words if isinstance(kind, Number) and kind != Number() else ""
-    notes = filter(None, (parameter.unit, allowed, f"default: {_shown(parameter)}"))
+    unit = "length, or % of the mesh's diagonal" if isinstance(kind, Length) else parameter.unit
+    notes = filter(None, (unit, allowed, f"default: {_shown(parameter)}"))
     text = f"{parameter.help}  [{'; '.join(notes)}]"
     if isinstance(kind, Boolean):
         return click.option(f"{name}/--no-{name[2:]}", parameter.name, default=None, help=text)

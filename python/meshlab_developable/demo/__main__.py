@@ -11,8 +11,8 @@ from pathlib import Path
 import pymeshlab
 
 from meshlab_developable.demo.chart import write_histogram
-from meshlab_developable.demo.document import flatness, verdict, write_html, write_text
-from meshlab_developable.demo.study import Input, Method, Study, study
+from meshlab_developable.demo.document import flatness, seams, verdict, write_html, write_text
+from meshlab_developable.demo.study import MAPS_OF_PANELS, Input, Method, Study, study
 from meshlab_developable.errors import DevelopableError
 from meshlab_developable.plugin import load
 from meshlab_developable.rendering import View
@@ -47,7 +47,7 @@ METHODS = (
 
 
 def demo_inputs() -> list[Input]:
-    """A scan that comes with pymeshlab and, in a source checkout, our own dented shell and a garment."""
+    """A scan that comes with pymeshlab and, in a source checkout, our dented shell, a garment and a toy."""
     samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
     inputs = [
         Input(
@@ -63,6 +63,10 @@ def demo_inputs() -> list[Input]:
     pants = shell.with_name("short_pants.obj")
     if pants.exists():
         inputs.append(Input(pants, "Short pants of four panels, to be cut and sewn.", "cm"))
+    toy = shell.with_name("toy.obj")
+    if toy.exists():
+        what = "A stuffed bear in one closed surface, cut into panels with darts, to be cut out and sewn."
+        inputs.append(Input(toy, what, "cm", View((1.6, -1.0, 0.5)), cut=True))
     return inputs
 
 
@@ -73,7 +77,9 @@ def run(inputs: Sequence[Input], methods: Sequence[Method], folder: Path) -> lis
     studies, histograms = [], []
     for source in inputs:
         print(f"{source.name}: {source.what}", flush=True)
-        result = study(source, methods, ANGLE_TOLERANCE, folder)
+        result = _studied(source, methods, folder)
+        if result.cut:
+            print(f"  {seams(result.cut, source.unit)}")
         for outcome in result.outcomes:
             print(f"  {outcome.method.title}: {outcome.report.reason}")
             print(f"    {verdict(result, outcome)}", flush=True)
@@ -85,6 +91,14 @@ def run(inputs: Sequence[Input], methods: Sequence[Method], folder: Path) -> lis
     write_html(folder / "report.html", studies, histograms)
     write_text(folder / "report.txt", studies)
     return studies
+
+
+def _studied(source: Input, methods: Sequence[Method], folder: Path) -> Study:
+    """Panels of a cut are for the methods that go all the way, which can be laid flat."""
+    if source.cut:
+        flat = [method for method in methods if method.flatten]
+        return study(source, flat, ANGLE_TOLERANCE, folder, MAPS_OF_PANELS)
+    return study(source, methods, ANGLE_TOLERANCE, folder)
 
 
 def main() -> int:

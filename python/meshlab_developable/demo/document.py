@@ -14,6 +14,7 @@ from pathlib import Path
 import jinja2
 import markupsafe
 
+from meshlab_developable.cutting import CutReport
 from meshlab_developable.demo.study import Outcome, Pattern, Study
 from meshlab_developable.demo.view import view
 
@@ -121,6 +122,15 @@ def flatness(pattern: Pattern) -> str:
     )
 
 
+def seams(cut: CutReport, unit: str) -> str:
+    """A sentence: what a surface was cut into."""
+    count, darts = len(cut.panels), cut.darts
+    return (
+        f"Cut into {count} {'panel' if count == 1 else 'panels'} with {darts} "
+        f"{'dart' if darts == 1 else 'darts'}; seams and darts are {cut.seam_length:.4g} {unit} long."
+    )
+
+
 def cutting_sheet(pattern: Pattern) -> markupsafe.Markup | None:
     """The first sheet to cut by, drawn in the page; None where the pieces can't be cut."""
     sheets = sorted(file for file in pattern.to_cut if file.suffix == ".svg")
@@ -140,7 +150,7 @@ def write_html(file: Path, studies: Sequence[Study], histograms: Sequence[Path])
         for name in ("report.html.j2", "view.js")
     )
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
-    for function in (comparison, cost, cutting_sheet, flatness, panels, size, verdict, embedded, view):
+    for function in (comparison, cost, cutting_sheet, flatness, panels, seams, size, verdict, embedded, view):
         environment.globals[function.__name__] = function
     chapters = list(zip(studies, histograms, strict=True))
     page = environment.from_string(template).render(chapters=chapters, viewer=viewer)
@@ -157,6 +167,8 @@ def write_text(file: Path, studies: Sequence[Study]) -> None:
             f"{study.angle_tolerance:g} rad",
             "",
         ]
+        if study.cut:
+            lines += [seams(study.cut, study.source.unit), ""]
         for outcome in study.outcomes:
             lines += [f"{outcome.method.title}: {outcome.report.reason}", verdict(study, outcome), ""]
             lines += [f"  {what:38}{before:>16}  ->  {after}" for what, before, after in comparison(outcome)]

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pymeshlab
 
+from meshlab_developable.cutting import CutReport, cut_layer
 from meshlab_developable.errors import PatternError
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
 from meshlab_developable.panels import panel_reports
@@ -28,6 +29,7 @@ class Input:
     what: str  # a sentence
     unit: str = "model units"
     view: View = dataclasses.field(default_factory=View)
+    cut: bool = False  # first cut it into panels, as closed surfaces have to be
 
     @property
     def name(self) -> str:
@@ -117,6 +119,7 @@ class Study:
     outcomes: Sequence[Outcome]
     figures: Sequence[Figure]
     pattern: Pattern | None = None  # of the mesh as it came, where an outcome has one to compare
+    cut: CutReport | None = None  # where it was cut into panels before all else
 
     @property
     def diagonal(self) -> float:
@@ -184,6 +187,7 @@ MAPS = (
     ),
 )
 MARKED = "Angle defect"  # the map with a ring where most curvature is left in a panel
+MAPS_OF_PANELS = tuple(kind for kind in MAPS if kind.title in (MARKED, "Displacement"))
 EYE_ABOVE = View((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 
 
@@ -196,10 +200,14 @@ def study(
 ) -> Study:
     """Measure a mesh, try the methods, write results and pictures of the maps into the folder.
 
+    It is cut first where the input says so.
+
     Raises pymeshlab.PyMeshLabException when the mesh cannot be read or a filter refuses it.
     """
     meshes = pymeshlab.MeshSet()
     meshes.load_new_mesh(str(source.path))
+    cut = cut_layer(meshes, {}) if source.cut else None
+    colours = meshes.current_mesh().face_color_matrix()[:, :3] if cut else None
     values = _apply_maps_filter(meshes, "Gaussian map", angle_tolerance)
     original = meshes.current_mesh()
     vertices, faces = original.vertex_matrix(), original.face_matrix()
@@ -215,6 +223,8 @@ def study(
     shapes += [(f"after: {o.method.title}", o.vertices, o.maps) for o in outcomes]
     marks = {f"after: {o.method.title}": o.marks for o in outcomes}
     figures = []
+    if colours is not None:
+        figures.append(_panels_figure(source, [Picture(t, v, faces, colours) for t, v, _ in shapes], folder))
     for kind in kinds:
         pictures = [
             Picture(title, v, faces, m[kind.title], marks.get(title, ()) if kind.title == MARKED else ())
@@ -226,7 +236,7 @@ def study(
     if pattern:
         figures.append(_pattern_figure(source, pattern, outcomes, folder))
     measures = Measures.from_values(values)
-    return Study(source, angle_tolerance, vertices, faces, measures, maps, outcomes, figures, pattern)
+    return Study(source, angle_tolerance, vertices, faces, measures, maps, outcomes, figures, pattern, cut)
 
 
 def _try(
@@ -306,6 +316,13 @@ def _figure(kind: MapKind, source: Input, pictures: Sequence[Picture], folder: P
     file = folder / f"{source.name}_{kind.title.lower().replace(' ', '_')}.png"
     render(file, pictures, scale, source.view)
     return Figure(file, kind.title, kind.caption)
+
+
+def _panels_figure(source: Input, pictures: Sequence[Picture], folder: Path) -> Figure:
+    file = folder / f"{source.name}_panels.png"
+    render(file, pictures, None, source.view)
+    caption = "A colour a panel: cut along seams and darts, and made developable with all seams closed."
+    return Figure(file, "Panels", caption)
 
 
 def _pattern_figure(source: Input, before: Pattern, outcomes: Sequence[Outcome], folder: Path) -> Figure:

@@ -25,7 +25,7 @@ class Layer(enum.IntEnum):
     CUTOUT = 11
     SEW = 14
     TEXT = 15
-    BOUNDARY_CHECK = 84  # and the next: the true curves, to validate what programs make of the points
+    BOUNDARY_CHECK = 84  # and the next: the true lines, to validate what programs make of the points
     INTERNAL_CHECK = 85
     CUTOUT_CHECK = 86
     SEW_CHECK = 87

@@ -19,6 +19,8 @@ from ezdxf.enums import TextEntityAlignment
 from meshlab_developable.mesh_sets import Array
 from meshlab_developable.patterns.drawing import Drawing, Layer, Motion
 
+# Each polyline on one of these layers is there once more, to validate what a program makes of its points:
+# ASTM D6673 demands it, of straight lines too.
 CHECKS = {
     Layer.BOUNDARY: Layer.BOUNDARY_CHECK,
     Layer.INTERNAL: Layer.INTERNAL_CHECK,
@@ -90,7 +92,7 @@ def _fill(block: Any, drawing: Drawing) -> None:
             block.add_line(*path.points[:2].tolist(), dxfattribs=layer)
             continue
         block.add_polyline2d(path.points.tolist(), close=path.closed, dxfattribs=layer)
-        if path.curves and path.layer in CHECKS:
+        if path.layer in CHECKS:
             check = {"layer": str(CHECKS[path.layer].value)}
             block.add_polyline2d(path.points.tolist(), close=path.closed, dxfattribs=check)
         for point, turns in zip(path.points, _turns(path.points, path.closed), strict=True):

@@ -32,8 +32,9 @@ void PatternMaker::requireNoHandles() const {
 	if (withHandles > 0)
 		throw PatchWithHandles(
 			counted(withHandles, "patch has a handle", "patches have handles") +
-			", like the handle of a cup, and can't be laid flat: cut it open, or give it seams "
-			"(see the parameter 'patches').");
+			", like the handle of a cup, and can't be laid flat: cut it open ('developable cut' on the command "
+			"line, the filter Cut into Developable Panels in MeshLab), or give it seams (see the parameter "
+			"'patches').");
 }
 
 bool PatternMaker::flattenPanels(int iterations, bool leastSquares, const Progress& progress) {

@@ -16,7 +16,8 @@ void requireOpenPatches(const PatchAssembly& assembly) {
 	if (closed > 0)
 		throw ClosedPatch(
 			std::to_string(closed) + " of " + counted(assembly.patches.size(), "patch is", "patches are") +
-			" closed and can't be laid flat: cut it open, or give it seams (see the parameter 'patches').");
+			" closed and can't be laid flat: cut it open ('developable cut' on the command line, the filter "
+			"Cut into Developable Panels in MeshLab), or give it seams (see the parameter 'patches').");
 }
 
 void requireOrientablePatches(const PatchAssembly& assembly) {
