@@ -78,6 +78,8 @@ void runSeed(Record& record) {
 	++(assembled ? record.assembled : record.refusedMeshes);
 	bool found = reportFindings(record.seed, "assemblePatches", ofAssembly);
 	for (std::size_t m = 0; assembled && m < methods.size(); ++m) {
+		if (!random.chance(methods[m].share))
+			continue;
 		Findings findings;
 		const bool done = attempt([&] { methods[m].run(random, assembly, findings); }, findings);
 		++(done ? record.completed : record.refused)[m];

@@ -79,6 +79,7 @@ void PanelPlan::separatePatches(const TriangleMesh& mesh, const PatchOptions& pa
 	mesh_.triangles = given.triangleCopies;
 	mesh_.vertexSelected.assign(given.copyCount(), 0);
 	mesh_.leastHeightRatio = mesh.leastHeightRatio;
+	mesh_.lengthExponent = mesh.lengthExponent;
 	mesh_.face = given.faceOfTriangle;
 	origins_.resize(given.copyCount());
 	std::vector<char> worked(mesh.triangleCount(), 0);
@@ -389,6 +390,7 @@ TriangleMesh PanelPlan::asCut() const {
 	mesh.vertexSelected.assign(mesh.vertexCount(), 0);
 	mesh.triangleSelected.assign(mesh.triangleCount(), 0);
 	mesh.leastHeightRatio = mesh_.leastHeightRatio;
+	mesh.lengthExponent = mesh_.lengthExponent;
 	return mesh;
 }
 

@@ -19,6 +19,7 @@ public:
 		: mesh_(mesh), surface_(surface), memberships_(memberships), labelsAt_(memberships.nodes),
 		  crossing_(3 * mesh.triangleCount(), -1) {
 		result_.mesh.leastHeightRatio = mesh.leastHeightRatio;
+		result_.mesh.lengthExponent = mesh.lengthExponent;
 		for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
 			result_.origins.push_back({vertex, vertex, 0});
 	}
