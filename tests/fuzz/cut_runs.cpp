@@ -124,13 +124,16 @@ void runCutIntoPanels(Random& random, const PatchAssembly& assembly, Findings& f
 	const CutResult result = cutIntoPanels(mesh, PatchOptions(), options, progress);
 	if (result.report.status == Status::Stopped)
 		return;
+	const int patchesBefore = assemblePatches(mesh, PatchOptions()).patchCount();
 	if (!checkCutMesh(mesh, result, findings))
 		return;
 	checkPanels(mesh, result, findings);
 	findings.expect(options.maxPanels == 0 || result.report.status != Status::Converged ||
 						int(result.report.panels.size()) <=
-							std::max(options.maxPanels, assembly.patchCount()),
-					"more panels than are wanted");
+							std::max(options.maxPanels, patchesBefore),
+					std::to_string(result.report.panels.size()) + " panels where " +
+						std::to_string(options.maxPanels) + " are wanted of " + std::to_string(patchesBefore) +
+						" patches");
 	for (const double number : {result.report.seamLength, result.report.smallestPanelArea,
 								result.report.meanDisplacement, result.report.maxDisplacement})
 		findings.expect(std::isfinite(number) && number >= 0, "a number that is not finite");

@@ -30,7 +30,8 @@ constexpr unsigned secondsPerSeed = 60;
 
 /// What parent and child both know.
 struct Record {
-	long seed = 0; ///< the one being run
+	long seed = 0;            ///< the one being run
+	const char* method = ""; ///< alike; parent and child have their texts in the same place
 	long end = 0;
 	long withFindings = 0;
 	long assembled = 0, refusedMeshes = 0;
@@ -65,6 +66,7 @@ bool reportFindings(long seed, const char* method, const Findings& findings) {
 
 void runSeed(Record& record) {
 	Random random(record.seed);
+	record.method = "assemblePatches";
 	const TriangleMesh mesh = hostileMesh(random);
 	const PatchOptions options = hostilePatchOptions(random, mesh);
 	PatchAssembly assembly;
@@ -80,6 +82,7 @@ void runSeed(Record& record) {
 	for (std::size_t m = 0; assembled && m < methods.size(); ++m) {
 		if (!random.chance(methods[m].share))
 			continue;
+		record.method = methods[m].name;
 		Findings findings;
 		const bool done = attempt([&] { methods[m].run(random, assembly, findings); }, findings);
 		++(done ? record.completed : record.refused)[m];
@@ -104,9 +107,9 @@ void runInChild(Record& record, std::chrono::steady_clock::time_point deadline) 
 		throw std::runtime_error("no process to run in");
 	if (WIFEXITED(ending) && WEXITSTATUS(ending) == 0)
 		return;
-	say(record.seed, "ended",
-		WIFSIGNALED(ending) ? "by signal " + std::to_string(WTERMSIG(ending))
-							: "with exit code " + std::to_string(WEXITSTATUS(ending)));
+	say(record.seed, record.method,
+		WIFSIGNALED(ending) ? "ended by signal " + std::to_string(WTERMSIG(ending))
+							: "ended with exit code " + std::to_string(WEXITSTATUS(ending)));
 	++record.withFindings;
 	++record.seed;
 }

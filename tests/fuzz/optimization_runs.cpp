@@ -34,7 +34,8 @@ private:
 
 /// Runs a method on a copy of the original positions. When it throws they have to be as they were.
 template <class Run>
-Positions moved(const PatchAssembly& assembly, Findings& findings, const Run& run) {
+Positions moved(const PatchAssembly& assembly, Findings& findings, const Run& run,
+				AtBorders atBorders = AtBorders::Nothing) {
 	Positions positions = assembly.originalPositions;
 	Status status = Status::NothingToDo;
 	try {
@@ -46,7 +47,7 @@ Positions moved(const PatchAssembly& assembly, Findings& findings, const Run& ru
 	if (status == Status::Stopped || status == Status::NothingToDo)
 		findings.expect(positions == assembly.originalPositions,
 						"positions changed though " + describe(status));
-	checkResult(assembly, assembly.originalPositions, positions, findings);
+	checkResult(assembly, assembly.originalPositions, positions, findings, atBorders);
 	return positions;
 }
 
@@ -109,9 +110,12 @@ void runConstrainedNewton(Random& random, const PatchAssembly& assembly, Finding
 	const ConstrainedNewtonOptions options = newtonOptions(random, diagonal);
 	Listener listener(random, findings);
 	ConstrainedNewtonReport report;
-	const Positions positions = moved(assembly, findings, [&](Positions& current) {
-		return report = constrainedNewton(assembly, current, options, listener.progress());
-	});
+	const Positions positions = moved(
+		assembly, findings,
+		[&](Positions& current) {
+			return report = constrainedNewton(assembly, current, options, listener.progress());
+		},
+		AtBorders::AnglesBeyondATurn);
 	checkTrianglesInOrder(assembly, positions, findings);
 	const double farthest = options.maxDisplacement < 0 ? 0.15 * diagonal : options.maxDisplacement;
 	findings.expect((positions - assembly.originalPositions).colwise().norm().maxCoeff() <=

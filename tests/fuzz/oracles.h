@@ -33,7 +33,14 @@ struct OwnDefects {
 	double detectError() const { return 2 * values.cwiseAbs().dot(errors) + errors.squaredNorm(); }
 };
 
-OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions);
+/// What counts at the border of a patch.
+enum class AtBorders {
+	Nothing,         ///< g is 0 there (Eq. 5)
+	AnglesBeyondATurn ///< those of a panel that overlaps itself there when laid flat
+};
+
+OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions,
+					  AtBorders atBorders = AtBorders::Nothing);
 
 /// Of each patch, Σ abs(g), rad.
 std::vector<double> ownPatchCurvatures(const PatchAssembly& assembly, const OwnDefects& defects);
@@ -45,7 +52,7 @@ void checkAssembly(const TriangleMesh& mesh, const PatchOptions& options, const 
 
 /// What all methods promise: finite coordinates, held places exactly where they were, no more G than before.
 void checkResult(const PatchAssembly& assembly, const Positions& before, const Positions& after,
-				 Findings& findings);
+				 Findings& findings, AtBorders atBorders = AtBorders::Nothing);
 
 /// That no triangle has flipped against a neighbour, and none has become a sliver.
 void checkTrianglesInOrder(const PatchAssembly& assembly, const Positions& after, Findings& findings);

@@ -33,14 +33,14 @@ CORE = {
 }
 
 
-def cases():
-    for kind in hostile_meshes.KINDS:
-        for variant in hostile_calls.VARIANTS:
-            marks = () if (kind, variant) in CORE else pytest.mark.hostile
-            yield pytest.param(kind, variant, marks=marks)
+CASES = [
+    pytest.param(kind, variant, marks=() if (kind, variant) in CORE else pytest.mark.hostile)
+    for kind in hostile_meshes.KINDS
+    for variant in hostile_calls.VARIANTS
+]
 
 
-@pytest.mark.parametrize(("kind", "variant"), cases())
+@pytest.mark.parametrize(("kind", "variant"), CASES)
 def test_an_answer_holds(kind, variant):
     mesh = hostile_meshes.KINDS[kind]()
     answer = hostile_calls.answer_to(mesh, variant)

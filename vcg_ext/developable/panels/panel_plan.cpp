@@ -360,9 +360,16 @@ CutReport PanelPlan::reportOf(const SewnPanels& sewn) const {
 	const auto bad = std::count_if(report.panels.begin(), report.panels.end(),
 								   [](const CutPanel& panel) { return !panel.developable; });
 	const bool soFew = options_.maxPanels > 0 && int(report.panels.size()) >= options_.maxPanels;
-	report.status = bad > 0 ? (soFew ? Status::LimitReached : Status::NeedsCut)
-					: seamChains(*surface_).empty() && givenSeamLength_ == 0 ? Status::NothingToDo
-																			 : Status::Converged;
+	const bool uncut = seamChains(*surface_).empty();
+	const bool tooMany = !uncut && soFew && int(report.panels.size()) > options_.maxPanels;
+	report.status = bad > 0                          ? (soFew ? Status::LimitReached : Status::NeedsCut)
+					: tooMany                        ? Status::LimitReached
+					: uncut && givenSeamLength_ == 0 ? Status::NothingToDo
+													 : Status::Converged;
+	if (tooMany)
+		report.notes.push_back("No way was found to make do with " +
+							   counted(std::size_t(options_.maxPanels), "panel", "panels") +
+							   ": there are as few as could be joined.");
 	if (bad > 0) {
 		report.notes.push_back(
 			counted(std::size_t(bad), "panel", "panels") + " of " + std::to_string(report.panels.size()) +
