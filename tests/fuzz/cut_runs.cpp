@@ -129,11 +129,10 @@ void runCutIntoPanels(Random& random, const PatchAssembly& assembly, Findings& f
 		return;
 	checkPanels(mesh, result, findings);
 	findings.expect(options.maxPanels == 0 || result.report.status != Status::Converged ||
-						int(result.report.panels.size()) <=
-							std::max(options.maxPanels, patchesBefore),
+						int(result.report.panels.size()) <= std::max(options.maxPanels, patchesBefore),
 					std::to_string(result.report.panels.size()) + " panels where " +
-						std::to_string(options.maxPanels) + " are wanted of " + std::to_string(patchesBefore) +
-						" patches");
+						std::to_string(options.maxPanels) + " are wanted of " +
+						std::to_string(patchesBefore) + " patches");
 	for (const double number : {result.report.seamLength, result.report.smallestPanelArea,
 								result.report.meanDisplacement, result.report.maxDisplacement})
 		findings.expect(std::isfinite(number) && number >= 0, "a number that is not finite");

@@ -30,7 +30,7 @@ constexpr unsigned secondsPerSeed = 60;
 
 /// What parent and child both know.
 struct Record {
-	long seed = 0;            ///< the one being run
+	long seed = 0;           ///< the one being run
 	const char* method = ""; ///< alike; parent and child have their texts in the same place
 	long end = 0;
 	long withFindings = 0;
@@ -40,21 +40,6 @@ struct Record {
 
 void say(long seed, const char* method, const std::string& what) {
 	std::cout << "seed " << seed << ": " << method << ": " << what << std::endl;
-}
-
-/// Runs something; an exception of the library's own is an answer too.
-/// \return whether it came to a result
-template <class Run>
-bool attempt(const Run& run, Findings& findings) {
-	try {
-		run();
-		return true;
-	} catch (const Error& error) {
-		findings.expect(std::string(error.what()).size() > 20, "an exception without a sentence");
-	} catch (const std::exception& exception) {
-		findings.expect(false, std::string("an exception that is not our own: ") + exception.what());
-	}
-	return false;
 }
 
 /// Each message once.
