@@ -19,6 +19,7 @@
 #include <set>
 
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,7 +27,7 @@ namespace developable::fuzz {
 
 namespace {
 
-constexpr unsigned secondsPerSeed = 60;
+constexpr long secondsPerSeed = 60;
 
 /// What parent and child both know.
 struct Record {
@@ -76,12 +77,19 @@ void runSeed(Record& record) {
 	record.withFindings += found;
 }
 
+/// Processor time, whatever else the machine does; then SIGPROF ends the process.
+void limitTime() {
+	itimerval limit = {};
+	limit.it_value.tv_sec = secondsPerSeed;
+	setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
 /// Runs seeds in a child until it ends.
 void runInChild(Record& record, std::chrono::steady_clock::time_point deadline) {
 	const pid_t child = fork();
 	if (child == 0) {
 		for (; record.seed < record.end && std::chrono::steady_clock::now() < deadline; ++record.seed) {
-			alarm(secondsPerSeed);
+			limitTime();
 			runSeed(record);
 		}
 		record.end = record.seed;

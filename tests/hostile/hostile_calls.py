@@ -90,7 +90,7 @@ def in_child(function: Callable[..., Any], *arguments: Any, seconds: int = SECON
         raise RuntimeError(
             f"the child ended by {signal.Signals(-code).name}" if code < 0 else f"the child failed ({code})"
         )
-    return pickle.loads(content)  # noqa: S301 - our own child's
+    return pickle.loads(content)
 
 
 def call(mesh: Mesh, function: str, parameters: dict[str, Any]) -> Answer:
@@ -220,8 +220,8 @@ def count_flips(before: np.ndarray, after: np.ndarray, triangles: np.ndarray) ->
         # Neighbours that are turned alike run along their edge in opposite directions.
         sign = 1 if (a, b) in directed and (b, a) in directed else -1
         one, other = faces
-        flips += (
-            sign * start[one] @ start[other] > 1e-6 and sign * end[one] @ end[other] < np.cos(2 * np.pi / 3)
+        flips += sign * start[one] @ start[other] > 1e-6 and sign * end[one] @ end[other] < np.cos(
+            2 * np.pi / 3
         )
     return flips
 

@@ -60,7 +60,10 @@ def annulus() -> Mesh:
     """A sheet with a hill and a hole beside it."""
     positions, triangles = bump(13, 13)
     middle = positions[triangles].mean(axis=1)[:, :2]
-    return positions, triangles[np.linalg.norm(middle - (0.7, 0.7), axis=1) > 0.15]
+    kept, corners = np.unique(
+        triangles[np.linalg.norm(middle - (0.7, 0.7), axis=1) > 0.15], return_inverse=True
+    )
+    return positions[kept], corners.reshape(-1, 3)
 
 
 def slit() -> Mesh:
@@ -138,7 +141,7 @@ def one_triangle() -> Mesh:
 def bow_tie() -> Mesh:
     """Two hills that share one vertex."""
     positions, triangles = bump(7, 7)
-    beside = positions + (1, 1, positions[-1, 2] - positions[0, 2])
+    beside = positions + np.array([1, 1, positions[-1, 2] - positions[0, 2]])
     joined = triangles + len(positions)
     joined[joined == len(positions)] = len(positions) - 1
     return np.vstack([positions, beside]), np.vstack([triangles, joined])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every kind of mesh by every filter and its main variants: refused in a sentence with the mesh untouched to the
-last bit, or done with numbers that hold when they are worked out anew."""
+"""Every kind of mesh by every filter and its main variants: refused in a sentence with the mesh untouched to
+the last bit, or done with numbers that hold when they are worked out anew."""
 
 import hostile_calls
 import hostile_meshes

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a shape lies, how large it is and how its vertices and faces are numbered changes neither the verdict nor
-how far vertices move; nor does the number of threads change a bit."""
+"""Where a shape lies, how large it is and how its vertices and faces are numbered changes neither the verdict
+nor how far vertices move; nor does the number of threads change a bit."""
 
 import hostile_calls
 import hostile_meshes
@@ -23,7 +23,7 @@ def shuffled_faces(positions, triangles):
 
 
 CHANGES = {
-    "shifted": lambda p, t: (p + (100, -200, 50), t),
+    "shifted": lambda p, t: (p + np.array([100, -200, 50]), t),
     "turned": lambda p, t: (p @ TURN.T, t),
     "mirrored": lambda p, t: (p * (-1, 1, 1), t[:, ::-1]),
     "inside out": lambda p, t: (p, t[:, ::-1]),
@@ -62,9 +62,9 @@ def assert_alike(one, other, variant, scale=1.0, tie=False):
     for name, share in NUMBERS[variant].items():
         power = 1 if "displacement" in name else 0
         allowed = 0.2 if tie and power else share
-        assert other.numbers[name] / scale**power == pytest.approx(one.numbers[name], rel=allowed, abs=1e-12), (
-            name
-        )
+        assert other.numbers[name] / scale**power == pytest.approx(
+            one.numbers[name], rel=allowed, abs=1e-12
+        ), name
 
 
 def chosen(variants):
@@ -74,7 +74,16 @@ def chosen(variants):
 def kinds(core):
     return [
         pytest.param(kind, marks=() if kind in core else pytest.mark.hostile)
-        for kind in ("hill", "saddle", "tunnel", "two hills", "annulus", "slit cone", "Möbius band", "octahedron")
+        for kind in (
+            "hill",
+            "saddle",
+            "tunnel",
+            "two hills",
+            "annulus",
+            "slit cone",
+            "Möbius band",
+            "octahedron",
+        )
     ]
 
 
@@ -105,7 +114,9 @@ def test_size_does_not_matter(kind, variant):
         assert_alike(before, answer, variant, scale)
 
 
-@pytest.mark.parametrize("variant", [*chosen(NUMBERS), pytest.param("local, uncut", marks=pytest.mark.hostile)])
+@pytest.mark.parametrize(
+    "variant", [*chosen(NUMBERS), pytest.param("local, uncut", marks=pytest.mark.hostile)]
+)
 @pytest.mark.parametrize("scale", [1e-200, 1e-165, 1e155, 1e300])
 def test_what_is_too_large_or_too_small_is_refused(variant, scale):
     positions, triangles = hostile_meshes.saddle()
