@@ -84,13 +84,14 @@ void expectSameBits(Run run) {
 	}
 }
 
-void expectSameVerdict(Run run) {
+/// \param nearness  of sheets of length 1
+void expectSameVerdict(Run run, double nearness) {
 	if (!__builtin_cpu_supports("avx2"))
 		GTEST_SKIP() << "this processor has no AVX2";
 	for (const Surface& surface : {Surface(bumpedCylinder), Surface(saddle), Surface(wave)}) {
 		const auto [wide, narrow] = onBoth(run, jitteredGrid(13, 17, surface));
 		for (int i = 0; i < wide.count; ++i)
-			ASSERT_NEAR(wide.numbers[i], narrow.numbers[i], 1e-5) << i; // of sheets of length 1
+			ASSERT_NEAR(wide.numbers[i], narrow.numbers[i], nearness) << i;
 	}
 }
 
@@ -120,19 +121,25 @@ TEST(WithoutAvx2, TheLocalMethodHasTheSameBits) {
 	});
 }
 
-TEST(WithoutAvx2, TheConstrainedNewtonMethodHasTheSameVerdictAndShape) {
-	expectSameVerdict([](const PatchAssembly& assembly, Outcome& outcome) {
-		Positions positions = assembly.originalPositions;
-		const Status status = constrainedNewton(assembly, positions, ConstrainedNewtonOptions()).status;
-		note(outcome, status, positions);
-	});
+TEST(WithoutAvx2, TheConstrainedNewtonMethodHasTheSameVerdictAndMovesAsFar) {
+	expectSameVerdict(
+		[](const PatchAssembly& assembly, Outcome& outcome) {
+			Positions positions = assembly.originalPositions;
+			const Status status = constrainedNewton(assembly, positions, ConstrainedNewtonOptions()).status;
+			note(outcome, status,
+				 Eigen::MatrixXd::Constant(1, 1,
+										   displacementMap(assembly.originalPositions, positions).mean()));
+		},
+		5e-4);
 }
 
 TEST(WithoutAvx2, PatternsAreTheSame) {
-	expectSameVerdict([](const PatchAssembly& assembly, Outcome& outcome) {
-		const FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions);
-		note(outcome, Status::Converged, patterns.positions);
-	});
+	expectSameVerdict(
+		[](const PatchAssembly& assembly, Outcome& outcome) {
+			const FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions);
+			note(outcome, Status::Converged, patterns.positions);
+		},
+		1e-5);
 }
 
 } // namespace
