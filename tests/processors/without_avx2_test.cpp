@@ -85,10 +85,11 @@ void expectSameBits(Run run) {
 }
 
 /// \param nearness  of sheets of length 1
+// A saddle has several equally near developable shapes, of which the last bits choose: it is not among these.
 void expectSameVerdict(Run run, double nearness) {
 	if (!__builtin_cpu_supports("avx2"))
 		GTEST_SKIP() << "this processor has no AVX2";
-	for (const Surface& surface : {Surface(bumpedCylinder), Surface(saddle), Surface(wave)}) {
+	for (const Surface& surface : {Surface(bumpedCylinder), Surface(vamp), Surface(wave)}) {
 		const auto [wide, narrow] = onBoth(run, jitteredGrid(13, 17, surface));
 		for (int i = 0; i < wide.count; ++i)
 			ASSERT_NEAR(wide.numbers[i], narrow.numbers[i], nearness) << i;

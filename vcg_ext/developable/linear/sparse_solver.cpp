@@ -13,7 +13,8 @@ namespace developable {
 namespace {
 
 constexpr double memoryShare = 0.7; ///< of what the machine has, for the factor
-/// Without rounding, as many steps as rows would do; what has not come to an end after ten times as many does not.
+/// Without rounding, as many steps as rows would do; what has not come to an end after ten times as many does
+/// not.
 constexpr Eigen::Index stepsPerRow = 10;
 
 } // namespace
