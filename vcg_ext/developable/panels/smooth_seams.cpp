@@ -72,7 +72,8 @@ private:
 	void findSewnSides() {
 		const PatchAssembly& assembly = surface_.assembly();
 		std::map<std::pair<int, int>, int> borders;
-		const auto ends = [&](int h) {
+		const auto ends =
+			[&](int h) -> std::pair<int, int> { // values: std::minmax refers to what it is given
 			return std::minmax(assembly.placeAt(h), assembly.placeAt(nextCorner(h)));
 		};
 		sewn_.assign(crossing_.size(), 0);
