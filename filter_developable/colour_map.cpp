@@ -2,8 +2,6 @@
 // colour_map.cpp: values to colours, by ramps in OKLab.
 #include "colour_map.h"
 
-#include "results.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -80,9 +78,8 @@ std::vector<vcg::Color4b> mapColours(const Eigen::VectorXd& values, const Colour
 	return colours;
 }
 
-std::string describe(const ColourRange& range, const std::string& unit, const Eigen::VectorXd& values) {
+std::string describe(const ColourRange& range, const std::string& high, const Eigen::VectorXd& values) {
 	const auto beyond = (values.array() < range.low || values.array() > range.high).count();
-	const std::string high = formatted(range.high, 4) + " " + unit;
 	return (range.isSigned() ? "blue at -" + high + ", light grey at 0, red at " + high
 							 : "light yellow at 0, red in the middle, dark violet at " + high) +
 		   "; " + std::to_string(beyond) + " of " + std::to_string(values.size()) + " places lie beyond";

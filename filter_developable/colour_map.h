@@ -35,7 +35,8 @@ ColourRange colourRange(const Eigen::VectorXd& values, bool isSigned, double noi
 /// from blue by light grey to red along straight lines.
 std::vector<vcg::Color4b> mapColours(const Eigen::VectorXd& values, const ColourRange& range);
 
-/// What the log says of the colours: the range with its unit, and how many values lie beyond it.
-std::string describe(const ColourRange& range, const std::string& unit, const Eigen::VectorXd& values);
+/// What the log says of the colours: the range, and how many values lie beyond it.
+/// \param high  the range's end, with its unit
+std::string describe(const ColourRange& range, const std::string& high, const Eigen::VectorXd& values);
 
 } // namespace developable::plugin

@@ -194,7 +194,7 @@ void labelPanels(Layer& layer, const CutResult& result, const std::vector<int>& 
 	};
 	const auto writeNumber = [&](const char* name, double elsewhere, const auto& valueOf) {
 		write(name, static_cast<host::Scalar>(elsewhere), [&](int panel) {
-			return static_cast<host::Scalar>(valueOf(result.report.panels[std::size_t(panel)]));
+			return narrowed<host::Scalar>(valueOf(result.report.panels[std::size_t(panel)]));
 		});
 	};
 	write("panel", host::Scalar(-1), [](int panel) { return static_cast<host::Scalar>(panel); });
@@ -209,8 +209,8 @@ void labelPanels(Layer& layer, const CutResult& result, const std::vector<int>& 
 	using Point = vcg::Point3<host::Scalar>;
 	write("panel_worst_point", Point(0, 0, 0), [&](int panel) {
 		const Eigen::Vector3d& worst = result.report.panels[std::size_t(panel)].worstPoint;
-		return Point(static_cast<host::Scalar>(worst[0]), static_cast<host::Scalar>(worst[1]),
-					 static_cast<host::Scalar>(worst[2]));
+		return Point(narrowed<host::Scalar>(worst[0]), narrowed<host::Scalar>(worst[1]),
+					 narrowed<host::Scalar>(worst[2]));
 	});
 }
 

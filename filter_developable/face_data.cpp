@@ -33,9 +33,8 @@ void forEachFace(const PatchAssembly& assembly, Write write) {
 void writeFaceScalars(CMeshO& mesh, const std::string& name, const PatchAssembly& assembly,
 					  const Eigen::VectorXd& values, double elsewhere) {
 	auto scalars = attribute<host::Scalar>(mesh, name, static_cast<host::Scalar>(elsewhere));
-	forEachFace(assembly, [&](std::size_t face, int patch) {
-		scalars[face] = static_cast<host::Scalar>(values[patch]);
-	});
+	forEachFace(assembly,
+				[&](std::size_t face, int patch) { scalars[face] = narrowed<host::Scalar>(values[patch]); });
 }
 
 void writeFacePoints(CMeshO& mesh, const std::string& name, const PatchAssembly& assembly,
@@ -43,7 +42,7 @@ void writeFacePoints(CMeshO& mesh, const std::string& name, const PatchAssembly&
 	auto facePoints = attribute<Point>(mesh, name, Point(0, 0, 0));
 	forEachFace(assembly, [&](std::size_t face, int patch) {
 		for (int axis = 0; axis < 3; ++axis)
-			facePoints[face][axis] = static_cast<host::Scalar>(points(axis, patch));
+			facePoints[face][axis] = narrowed<host::Scalar>(points(axis, patch));
 	});
 }
 

@@ -58,22 +58,28 @@ Eigen::VectorXd mapValues(Map map, const PatchAssembly& assembly, const Position
 }
 
 void writeMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eigen::VectorXd& values) {
-	writeScalarAttribute(call.layer.mesh(), propertiesOf(map).attribute, assembly, values);
+	writeScalarAttribute(call.layer.mesh(), propertiesOf(map).attribute, assembly,
+						 inMeshUnits(assembly.lengthExponent, values, propertiesOf(map).lengthPower));
 }
 
 void showMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eigen::VectorXd& values) {
 	const MapProperties& properties = propertiesOf(map);
 	call.layer.enableVertexQuality();
-	writeQuality(call.layer.mesh(), assembly, values);
+	const auto inUnits = [&](double value) {
+		return inMeshUnits(assembly.lengthExponent, value, properties.lengthPower);
+	};
+	writeQuality(call.layer.mesh(), assembly, values.unaryExpr(inUnits));
 	call.log(std::string("vertex quality: ") + properties.title + " [" + properties.unit + "], " +
-			 formatted(values.minCoeff()) + " to " + formatted(values.maxCoeff()));
+			 formatted(inUnits(values.minCoeff())) + " to " + formatted(inUnits(values.maxCoeff())));
 	if (!call.values.boolean("colorize"))
 		return;
 	const ColourRange range =
-		colourRange(values, properties.isSigned, noiseOf(properties, call.layer.diagonal()));
+		colourRange(values, properties.isSigned,
+					noiseOf(properties, inWorkingUnits(assembly.lengthExponent, call.layer.diagonal())));
 	call.layer.enableVertexColours();
 	writeColours(call.layer.mesh(), assembly, mapColours(values, range));
-	call.log("vertex colours: " + describe(range, properties.unit, values));
+	call.log("vertex colours: " +
+			 describe(range, formatted(inUnits(range.high), 4) + " " + properties.unit, values));
 }
 
 } // namespace developable::plugin

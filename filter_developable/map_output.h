@@ -16,10 +16,11 @@ Map chosenMap(const ParameterValues& values);
 Eigen::VectorXd mapValues(Map map, const PatchAssembly& assembly, const Positions& positions,
 						  const Positions& original);
 
-/// Writes a map to its custom attribute.
+/// Writes a map to its custom attribute. \param values  per place, in the assembly's unit
 void writeMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eigen::VectorXd& values);
 
-/// Writes a map to the vertex quality and, where that is asked for, the colours, and logs its range.
+/// Writes a map, in the assembly's unit too, to the vertex quality and, where that is asked for, the colours,
+/// and logs its range.
 void showMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eigen::VectorXd& values);
 
 } // namespace developable::plugin

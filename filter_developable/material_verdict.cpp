@@ -27,15 +27,20 @@ std::string boundsInWords(const StrainBounds& bounds) {
 		   " compression";
 }
 
-/// Where a map of the pattern is largest on the model.
-std::string placeOfLargest(const FlatPatterns& patterns, const Positions& positions) {
-	int vertex = 0;
-	patterns.stretch.cwiseMax(patterns.compression).maxCoeff(&vertex);
-	const auto at = positions.col(patterns.placeOfVertex[std::size_t(vertex)]);
+std::string pointInWords(const Eigen::Vector3d& at) {
 	return "(" + formatted(at[0], 4) + ", " + formatted(at[1], 4) + ", " + formatted(at[2], 4) + ")";
 }
 
-std::string verdict(const Material& material, const FlatPatterns& patterns, const Positions& positions) {
+/// Where a map of the pattern is largest on the model.
+std::string placeOfLargest(const FlatPatterns& patterns, const Positions& positions, int lengthExponent) {
+	int vertex = 0;
+	patterns.stretch.cwiseMax(patterns.compression).maxCoeff(&vertex);
+	return pointInWords(
+		inMeshUnits(lengthExponent, positions.col(patterns.placeOfVertex[std::size_t(vertex)])));
+}
+
+std::string verdict(const Material& material, const FlatPatterns& patterns, const Positions& positions,
+					int lengthExponent) {
 	const FlattenReport& report = patterns.report;
 	std::string words = material.name + ": ";
 	const int beyond = static_cast<int>(
@@ -48,7 +53,7 @@ std::string verdict(const Material& material, const FlatPatterns& patterns, cons
 				 boundsInWords(patterns.bounds) + ", by up to " +
 				 formatted(perCent * report.beyondBounds, 3) + " % of length";
 	return words + "; largest " + formatted(perCent * std::max(report.maxStretch, report.maxCompression), 3) +
-		   " % at " + placeOfLargest(patterns, positions);
+		   " % at " + placeOfLargest(patterns, positions, lengthExponent);
 }
 
 } // namespace
@@ -68,7 +73,7 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 		addStrains(results, patterns.report);
 		if (!options.bounds.any())
 			return;
-		call.log(verdict(chosenMaterial(call.values), patterns, positions));
+		call.log(verdict(chosenMaterial(call.values), patterns, positions, assembly.lengthExponent));
 		for (const std::string& note : patterns.report.notes)
 			call.log(note);
 	} catch (
@@ -88,15 +93,16 @@ void judgeBending(FilterCall& call, const PatchAssembly& assembly, const Positio
 		return;
 	}
 	const Eigen::VectorXd radii = bendingRadii(assembly, positions);
-	const double limit = leastBendingRadius(thickness, material.elasticStrain);
+	const int exponent = assembly.lengthExponent;
+	const double limit = leastBendingRadius(inWorkingUnits(exponent, thickness), material.elasticStrain);
 	int tightest = 0;
 	const double least = radii.minCoeff(&tightest);
-	const auto at = positions.col(tightest);
 	call.log(material.name + ", " + formatted(thickness, 3) + " thick, bears radii down to " +
-			 formatted(limit, 3) + ": " +
+			 formatted(inMeshUnits(exponent, limit), 3) + ": " +
 			 formatted(perCent * shareBelowRadius(assembly, positions, radii, limit), 3) +
-			 " % of the area is bent more tightly; the smallest radius is " + formatted(least, 3) + ", at (" +
-			 formatted(at[0], 4) + ", " + formatted(at[1], 4) + ", " + formatted(at[2], 4) + ")");
+			 " % of the area is bent more tightly; the smallest radius is " +
+			 formatted(inMeshUnits(exponent, least), 3) + ", at " +
+			 pointInWords(inMeshUnits(exponent, positions.col(tightest))));
 }
 
 } // namespace developable::plugin

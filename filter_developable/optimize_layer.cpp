@@ -74,18 +74,31 @@ void addMeasures(Results& results, const Measures& before, const Measures& after
 	results.push_back({"total_absolute_curvature_after", after.totalAbsoluteCurvature, ""});
 }
 
+/// What the method says of lengths, in the mesh's own unit.
+void toMeshUnits(const PatchAssembly& assembly, OptimizationReport& report) {
+	const auto inUnits = [&](double& length) { length = inMeshUnits(assembly.lengthExponent, length); };
+	for (double& coordinate : report.worstPosition)
+		inUnits(coordinate);
+	inUnits(report.nearestDevelopable);
+	for (PatchVerdict& verdict : report.patchVerdicts)
+		inUnits(verdict.nearestDevelopable);
+}
+
 void addChanges(Results& results, const PatchAssembly& assembly, const Positions& positions) {
 	const Positions& original = assembly.originalPositions;
 	const Eigen::VectorXd displacements = displacementMap(original, positions);
 	const Eigen::VectorXd distances = distancesToSurface(positions, original, assembly.trianglePlaces);
+	const double energy = elasticEnergy(assembly, positions, edgeLengths(assembly, original));
+	const auto inUnits = [&](double value, int lengthPower) {
+		return inMeshUnits(assembly.lengthExponent, value, lengthPower);
+	};
 	results.push_back({"patches", assembly.patchCount(), ""});
 	results.push_back({"assembling_vertices", assembly.assemblingPlaceCount(), ""});
 	results.push_back({"interior_vertices", assembly.interiorCopyCount(), ""});
-	results.push_back(
-		{"deformation_energy", elasticEnergy(assembly, positions, edgeLengths(assembly, original)), ""});
-	results.push_back({"max_displacement", displacements.maxCoeff(), ""});
-	results.push_back({"mean_displacement", displacements.mean(), ""});
-	results.push_back({"max_distance", distances.maxCoeff(), ""});
+	results.push_back({"deformation_energy", inUnits(energy, 2), ""});
+	results.push_back({"max_displacement", inUnits(displacements.maxCoeff(), 1), ""});
+	results.push_back({"mean_displacement", inUnits(displacements.mean(), 1), ""});
+	results.push_back({"max_distance", inUnits(distances.maxCoeff(), 1), ""});
 }
 
 void write(FilterCall& call, const PatchAssembly& assembly, const Positions& positions,
@@ -114,10 +127,11 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 
 	result.positions = assembly.originalPositions;
 	OptimizationReport report = method(assembly, result.positions, call.progress);
+	toMeshUnits(assembly, report);
 	const Measures before = measure(assembly, assembly.originalPositions, angleTolerance);
 	const Measures unrounded = measure(assembly, result.positions, angleTolerance);
 	if (report.status != Status::Stopped)
-		result.positions = rounded<host::Scalar>(result.positions);
+		result.positions = rounded<host::Scalar>(result.positions, assembly.lengthExponent);
 	const Measures after = measure(assembly, result.positions, angleTolerance);
 
 	Results& results = result.results;

@@ -32,6 +32,16 @@ std::string inWords(const PanelReport& panel) {
 	return words;
 }
 
+std::vector<PatchMeasures> measuresInMeshUnits(const PatchAssembly& assembly, const Positions& positions) {
+	std::vector<PatchMeasures> measures = measurePatches(assembly, positions);
+	for (PatchMeasures& patch : measures) {
+		patch.worstPoint = inMeshUnits(assembly.lengthExponent, patch.worstPoint);
+		for (double* length : {&patch.meanDisplacement, &patch.maxDisplacement})
+			*length = inMeshUnits(assembly.lengthExponent, *length);
+	}
+	return measures;
+}
+
 PatchVerdict verdictOf(const PatchMeasures& before, const PatchMeasures& after, Status ofAll,
 					   double angleTolerance) {
 	if (after.maxAngleDefect > angleTolerance)
@@ -44,8 +54,8 @@ PatchVerdict verdictOf(const PatchMeasures& before, const PatchMeasures& after, 
 
 std::vector<PanelReport> panelReports(const PatchAssembly& assembly, const Positions& positions,
 									  const OptimizationReport& report, double angleTolerance) {
-	const std::vector<PatchMeasures> before = measurePatches(assembly, assembly.originalPositions),
-									 after = measurePatches(assembly, positions);
+	const std::vector<PatchMeasures> before = measuresInMeshUnits(assembly, assembly.originalPositions),
+									 after = measuresInMeshUnits(assembly, positions);
 	std::vector<PanelReport> panels;
 	for (std::size_t i = 0; i < after.size(); ++i)
 		panels.push_back({report.patchVerdicts.empty()

@@ -6,15 +6,17 @@
 
 namespace developable::plugin {
 
-void writePatterns(Layer& layer, const FlatPatterns& patterns) {
+void writePatterns(Layer& layer, const FlatPatterns& patterns, int lengthExponent) {
 	CMeshO& mesh = layer.mesh();
 	const auto triangleCount = static_cast<std::size_t>(patterns.triangles.cols());
 	vcg::tri::Allocator<CMeshO>::AddVertices(mesh, std::size_t(patterns.vertexCount()));
 	vcg::tri::Allocator<CMeshO>::AddFaces(mesh, triangleCount);
+	const auto coordinate = [&](int axis, int vertex) {
+		return narrowed<host::Scalar>(inMeshUnits(lengthExponent, patterns.positions(axis, vertex)));
+	};
 	for (int vertex = 0; vertex < patterns.vertexCount(); ++vertex)
 		mesh.vert[std::size_t(vertex)].P() =
-			vcg::Point3<host::Scalar>(static_cast<host::Scalar>(patterns.positions(0, vertex)),
-									  static_cast<host::Scalar>(patterns.positions(1, vertex)), 0);
+			vcg::Point3<host::Scalar>(coordinate(0, vertex), coordinate(1, vertex), 0);
 	for (std::size_t face = 0; face < triangleCount; ++face)
 		for (int corner = 0; corner < 3; ++corner)
 			mesh.face[face].V(corner) =

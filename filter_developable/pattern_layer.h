@@ -9,7 +9,8 @@
 namespace developable::plugin {
 
 /// Fills an empty layer: vertex i is vertex i of the patterns, face i is triangle i, in the plane z = 0.
-void writePatterns(Layer& layer, const FlatPatterns& patterns);
+/// \param lengthExponent  of the assembly that they are patterns of
+void writePatterns(Layer& layer, const FlatPatterns& patterns, int lengthExponent);
 
 /// Says of the sides of the layer's faces what is sewn to them, in three custom attributes of three numbers a
 /// face, one for the side from each corner to the next: `seam`, from 1, or 0 where there is none;

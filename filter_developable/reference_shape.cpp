@@ -41,7 +41,8 @@ ReferenceShape fromOtherLayer(const CMeshO& current, const CMeshO& other, const 
 		throw EmptyMesh("The layer chosen as 'reference' has no faces to measure to: choose another one.");
 	requireFiniteCoordinates(mesh);
 	ReferenceShape shape;
-	shape.vertices = inCoordinatesOf(current, other, mesh.positions);
+	shape.vertices = inCoordinatesOf(current, other, inMeshUnits(mesh.lengthExponent, mesh.positions));
+	shape.vertices = inMeshUnits(-assembly.lengthExponent, shape.vertices);
 	shape.triangles = mesh.triangles;
 	if (mesh.positions.cols() == Eigen::Index(assembly.placeOfVertex.size()))
 		shape.places = atPlaces(assembly, shape.vertices);

@@ -4,6 +4,8 @@
 
 #include <vcg/complex/allocate.h>
 
+#include <type_traits>
+
 namespace developable::plugin {
 
 namespace {
@@ -38,7 +40,7 @@ void writeScalarAttribute(CMeshO& mesh, const std::string& name, const PatchAsse
 						  const Eigen::VectorXd& values) {
 	auto scalars = attribute<host::Scalar>(mesh, name, [](const CVertexO&) { return host::Scalar(0); });
 	forEachVertex(assembly, [&](std::size_t vertex, int place) {
-		scalars[vertex] = static_cast<host::Scalar>(values[place]);
+		scalars[vertex] = narrowed<host::Scalar>(values[place]);
 	});
 }
 
@@ -47,13 +49,14 @@ void writePointAttribute(CMeshO& mesh, const std::string& name, const PatchAssem
 	auto attributePoints = attribute<Point>(mesh, name, [](const CVertexO& vertex) { return vertex.cP(); });
 	forEachVertex(assembly, [&](std::size_t vertex, int place) {
 		for (int axis = 0; axis < 3; ++axis)
-			attributePoints[vertex][axis] = static_cast<host::Scalar>(points(axis, place));
+			attributePoints[vertex][axis] =
+				narrowed<host::Scalar>(inMeshUnits(assembly.lengthExponent, points(axis, place)));
 	});
 }
 
 void writeQuality(CMeshO& mesh, const PatchAssembly& assembly, const Eigen::VectorXd& values) {
 	forEachVertex(assembly, [&](std::size_t vertex, int place) {
-		mesh.vert[vertex].Q() = static_cast<decltype(mesh.vert[vertex].cQ())>(values[place]);
+		mesh.vert[vertex].Q() = narrowed<std::decay_t<decltype(mesh.vert[vertex].cQ())>>(values[place]);
 	});
 }
 
@@ -71,7 +74,7 @@ std::optional<Positions> readPointAttribute(CMeshO& mesh, const std::string& nam
 	Positions points(3, assembly.placeCount());
 	forEachVertex(assembly, [&](std::size_t vertex, int place) {
 		for (int axis = 0; axis < 3; ++axis)
-			points(axis, place) = found[vertex][axis];
+			points(axis, place) = inWorkingUnits(assembly.lengthExponent, double(found[vertex][axis]));
 	});
 	return points;
 }

@@ -15,15 +15,17 @@
 
 namespace developable::plugin {
 
-/// \param values  per place
+/// \param values  per place, in the mesh's own unit of length
 void writeScalarAttribute(CMeshO& mesh, const std::string& name, const PatchAssembly& assembly,
 						  const Eigen::VectorXd& values);
+/// \param points  3 x places, in the assembly's unit
 void writePointAttribute(CMeshO& mesh, const std::string& name, const PatchAssembly& assembly,
 						 const Positions& points);
 void writeQuality(CMeshO& mesh, const PatchAssembly& assembly, const Eigen::VectorXd& values);
 void writeColours(CMeshO& mesh, const PatchAssembly& assembly, const std::vector<vcg::Color4b>& colours);
 
-/// A custom attribute of points as the places have it, or nothing when the mesh has none of that name.
+/// A custom attribute of points as the places have it, in the assembly's unit, or nothing when the mesh has
+/// none of that name.
 std::optional<Positions> readPointAttribute(CMeshO& mesh, const std::string& name,
 											const PatchAssembly& assembly);
 

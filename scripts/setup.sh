@@ -18,8 +18,8 @@ all_targets=(meshlab-2020.09 pymeshlab-2022.2 pymeshlab-2025.7 meshlab-2025.07 t
 build_packages=(g++ cmake ninja-build libeigen3-dev libcgal-dev qtbase5-dev libqt5opengl5-dev libgl-dev libglew-dev)
 # What the stock programs and the wheels expect of a desktop.
 run_packages=(libgl1 libglu1-mesa libegl1 libopengl0 libxrender1 libxcursor1 libfontconfig1)
-# Of the tests of windows and of pages.
-test_packages=(libgtest-dev xvfb openbox xdotool chromium chromium-driver)
+# Of the tests of windows, of pages and of faults.
+test_packages=(libgtest-dev xvfb openbox xdotool chromium chromium-driver strace)
 
 # provide_library: what vcg_ext itself is compiled with, and all builds share
 provide_library() {

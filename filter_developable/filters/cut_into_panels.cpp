@@ -24,15 +24,31 @@ void refuseWhatDoesNotWork(const ParameterValues& values) {
 							   "at Custom, and 'allowed_stretch' and 'allowed_compression' at -1 or 0.");
 }
 
-CutOptions optionsOf(const ParameterValues& values) {
+CutOptions optionsOf(const ParameterValues& values, int lengthExponent) {
 	CutOptions options;
-	options.maxDisplacement = values.number("max_displacement");
+	options.maxDisplacement = inWorkingUnits(lengthExponent, values.number("max_displacement"));
 	options.maxPanels = values.integer("max_panels");
 	options.darts = values.boolean("darts");
 	options.creaseAngle = values.number("crease_angle");
 	options.keepSelected = values.boolean("keep_selected_whole");
 	options.splitTriangles = values.boolean("cut");
 	return options;
+}
+
+void toMeshUnits(int lengthExponent, CutReport& report) {
+	const auto inUnits = [=](double& value, int lengthPower = 1) {
+		value = inMeshUnits(lengthExponent, value, lengthPower);
+	};
+	inUnits(report.seamLength);
+	inUnits(report.smallestPanelArea, 2);
+	inUnits(report.meanDisplacement);
+	inUnits(report.maxDisplacement);
+	for (CutPanel& panel : report.panels) {
+		inUnits(panel.area, 2);
+		inUnits(panel.meanDisplacement);
+		inUnits(panel.maxDisplacement);
+		panel.worstPoint = inMeshUnits(lengthExponent, panel.worstPoint);
+	}
 }
 
 Results resultsOf(const CutReport& report, double seconds) {
@@ -52,9 +68,12 @@ Results resultsOf(const CutReport& report, double seconds) {
 Results run(FilterCall& call) {
 	const auto start = std::chrono::steady_clock::now();
 	refuseWhatDoesNotWork(call.values);
-	const PatchOptions patches = patchOptions(call.values);
+	PatchOptions patches = patchOptions(call.values);
 	const TriangleMesh mesh = readTriangles(call.layer.mesh(), patches.seams);
-	const CutResult result = cutIntoPanels(mesh, patches, optionsOf(call.values), call.progress);
+	patches.weldDistance = inWorkingUnits(mesh.lengthExponent, patches.weldDistance);
+	CutResult result =
+		cutIntoPanels(mesh, patches, optionsOf(call.values, mesh.lengthExponent), call.progress);
+	toMeshUnits(mesh.lengthExponent, result.report);
 	if (result.report.status != Status::Stopped) {
 		std::vector<int> faces = result.mesh.face;
 		if (call.values.boolean("cut")) {

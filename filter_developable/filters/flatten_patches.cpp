@@ -23,25 +23,27 @@ constexpr double marginBeside = 0.05; ///< of the patterns' diagonal, between th
 
 /// The patterns as a mesh with the host's scalar holds them, measured again.
 FlatPatterns roundedPatterns(FlatPatterns patterns, const PatchAssembly& assembly) {
-	patterns.positions = patterns.positions.cast<host::Scalar>().cast<double>();
+	patterns.positions = rounded<host::Scalar>(patterns.positions, assembly.lengthExponent);
 	measurePatterns(assembly, assembly.originalPositions, patterns);
 	return patterns;
 }
 
 /// Moves the patterns along x until they are clear of the model, which they would go through otherwise.
-void placeBeside(const CMeshO& model, FlatPatterns& patterns) {
+void placeBeside(const CMeshO& model, const PatchAssembly& assembly, FlatPatterns& patterns) {
 	double right = -std::numeric_limits<double>::infinity();
 	for (const auto& vertex : model.vert)
 		if (!vertex.IsD())
 			right = std::max(right, double((model.Tr * vertex.cP())[0]));
+	right = inWorkingUnits(assembly.lengthExponent, right);
 	const Eigen::Vector2d low = patterns.positions.rowwise().minCoeff(),
 						  size = patterns.positions.rowwise().maxCoeff() - low;
 	patterns.positions.row(0).array() += right + marginBeside * size.norm() - low[0];
 }
 
 /// An assembly that says of a layer made by writePatterns only which vertex a value belongs to.
-PatchAssembly verticesOf(const FlatPatterns& patterns) {
+PatchAssembly verticesOf(const FlatPatterns& patterns, int lengthExponent) {
 	PatchAssembly assembly;
+	assembly.lengthExponent = lengthExponent;
 	assembly.placeOfVertex.resize(std::size_t(patterns.vertexCount()));
 	std::iota(assembly.placeOfVertex.begin(), assembly.placeOfVertex.end(), 0);
 	return assembly;
@@ -50,7 +52,7 @@ PatchAssembly verticesOf(const FlatPatterns& patterns) {
 /// Says of each vertex of the patterns which piece it is part of (from 0), where it is on the model, and
 /// which place that is: what has the same place is sewn together.
 void writePieces(Layer& patternLayer, const PatchAssembly& assembly, const FlatPatterns& patterns) {
-	const PatchAssembly vertices = verticesOf(patterns);
+	const PatchAssembly vertices = verticesOf(patterns, assembly.lengthExponent);
 	const auto write = [&](const char* name, const std::vector<int>& numbers) {
 		const Eigen::Map<const Eigen::VectorXi> values(numbers.data(), patterns.vertexCount());
 		writeScalarAttribute(patternLayer.mesh(), name, vertices, values.cast<double>());
@@ -63,13 +65,16 @@ void writePieces(Layer& patternLayer, const PatchAssembly& assembly, const FlatP
 	writePointAttribute(patternLayer.mesh(), "model_position", vertices, onModel);
 }
 
-void logSeams(const FilterCall& call, const std::vector<Seam>& seams) {
+void logSeams(const FilterCall& call, int lengthExponent, const std::vector<Seam>& seams) {
+	const auto shown = [=](double length, int digits) {
+		return formatted(inMeshUnits(lengthExponent, length), digits);
+	};
 	constexpr std::size_t most = 100;
 	for (std::size_t i = 0; i < std::min(seams.size(), most); ++i) {
 		const Seam& seam = seams[i];
 		call.log("seam " + std::to_string(i + 1) + ": piece " + std::to_string(seam.piece[0] + 1) + " with " +
-				 std::to_string(seam.piece[1] + 1) + ", lengths " + formatted(seam.length[0], 6) + " and " +
-				 formatted(seam.length[1], 6) + ", mismatch " + formatted(seam.mismatch(), 3));
+				 std::to_string(seam.piece[1] + 1) + ", lengths " + shown(seam.length[0], 6) + " and " +
+				 shown(seam.length[1], 6) + ", mismatch " + shown(seam.mismatch(), 3));
 	}
 	if (seams.size() > most)
 		call.log("and " + std::to_string(seams.size() - most) + " more seams");
@@ -84,7 +89,7 @@ void writeMaps(FilterCall& call, Layer& patternLayer, const PatchAssembly& assem
 														   {Map::Stretch, &patterns.stretch},
 														   {Map::Compression, &patterns.compression}};
 	FilterCall onPatterns{patternLayer, call.values, call.progress, [](const std::string&) {}, call.addLayer};
-	const PatchAssembly patternVertices = verticesOf(patterns);
+	const PatchAssembly patternVertices = verticesOf(patterns, assembly.lengthExponent);
 	int number = 0;
 	for (const auto& [map, values] : maps) {
 		const Eigen::VectorXd placeValues = largestAtPlaces(assembly, patterns, *values);
@@ -101,23 +106,23 @@ Results run(FilterCall& call) {
 	const auto start = std::chrono::steady_clock::now();
 	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
 	FlattenOptions options;
-	options.gap = call.values.number("gap");
+	options.gap = inWorkingUnits(assembly.lengthExponent, call.values.number("gap"));
 	options.bounds = strainBounds(call.values);
 	options.grain = call.values.choice<Grain>("grain");
 	FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions, options, call.progress);
 	if (patterns.report.stopped) {
 		call.log("stopped by the user: nothing was changed");
 	} else {
-		placeBeside(call.layer.mesh(), patterns);
+		placeBeside(call.layer.mesh(), assembly, patterns);
 		patterns = roundedPatterns(std::move(patterns), assembly);
 		if (call.values.boolean("write_texture_coordinates"))
 			writeTextureCoordinates(call.layer, assembly, patterns);
 		Layer patternLayer = call.addLayer(" pattern");
-		writePatterns(patternLayer, patterns);
+		writePatterns(patternLayer, patterns, assembly.lengthExponent);
 		writePieces(patternLayer, assembly, patterns);
 		writeSeams(patternLayer, patterns.seams);
 		writeMaps(call, patternLayer, assembly, patterns);
-		logSeams(call, patterns.seams);
+		logSeams(call, assembly.lengthExponent, patterns.seams);
 		for (const std::string& note : patterns.report.notes)
 			call.log(note);
 	}
@@ -134,8 +139,8 @@ Results run(FilterCall& call) {
 		{"pieces", report.pieces, ""},
 		{"max_edge_strain", report.maxEdgeStrain, ""},
 		{"mean_edge_strain", report.meanEdgeStrain, ""},
-		{"elastic_energy", report.elasticEnergy, ""},
-		{"max_seam_mismatch", report.maxSeamMismatch, ""},
+		{"elastic_energy", inMeshUnits(assembly.lengthExponent, report.elasticEnergy, 2), ""},
+		{"max_seam_mismatch", inMeshUnits(assembly.lengthExponent, report.maxSeamMismatch), ""},
 		{"overlapping_pieces", report.overlappingPieces, ""},
 		{"flipped_faces", report.flippedFaces, ""},
 	};

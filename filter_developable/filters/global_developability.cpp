@@ -54,7 +54,8 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.smoothness = values.number("smoothness");
 	options.fairness = values.number("fairness");
 	// Hosts may have rounded to float what the user typed: stay below that.
-	options.maxDisplacement = values.number("max_displacement") * (1 - 1.2e-7);
+	options.maxDisplacement =
+		inWorkingUnits(assembly.lengthExponent, values.number("max_displacement")) * (1 - 1.2e-7);
 	options.threads = threadsAskedFor();
 	return constrainedNewton(assembly, positions, options, progress);
 }

@@ -14,11 +14,11 @@ namespace developable::plugin {
 
 namespace {
 
-LocalMethodOptions localOptions(const ParameterValues& values) {
+LocalMethodOptions localOptions(const ParameterValues& values, int lengthExponent) {
 	LocalMethodOptions options;
 	options.angleTolerance = values.number("angle_tolerance");
 	if (values.number("max_displacement") >= 0)
-		options.maxDisplacement = values.number("max_displacement");
+		options.maxDisplacement = inWorkingUnits(lengthExponent, values.number("max_displacement"));
 	options.maxOperations = values.integer("max_operations");
 	options.descent = values.boolean("descent");
 	options.smoothing = values.number("smoothing");
@@ -29,9 +29,9 @@ LocalMethodOptions localOptions(const ParameterValues& values) {
 }
 
 Results run(FilterCall& call) {
-	const LocalMethodOptions options = localOptions(call.values);
 	LocalMethodReport report;
 	const Method method = [&](const PatchAssembly& assembly, Positions& positions, const Progress& progress) {
+		const LocalMethodOptions options = localOptions(call.values, assembly.lengthExponent);
 		return report = localMethod(assembly, positions, options, progress);
 	};
 	Optimized optimized = optimizeLayer(call, method);

@@ -14,11 +14,10 @@ SUFFIXES = (".h", ".cpp")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 VCGLIB = re.compile(r"^\s*#\s*include\s+<(?:vcg|wrap)/", re.MULTILINE)
 DRAWN = re.compile(r"^(\w+)/(\w+\.h)(?: +-> (.+))?$", re.MULTILINE)
-# Vcglib is the mesh of the hosts; besides its readers, two files have a piece of work done by it.
+# Vcglib is the mesh of the hosts; besides its readers, one file has a piece of work done by it.
 WITH_VCGLIB = {
     "vcg_mesh/vcg_mesh.h",
     "polygons/polygon_triangulation.h",
-    "geometry/principal_curvatures.cpp",
     "geometry/triangle_intersection.cpp",
 }
 

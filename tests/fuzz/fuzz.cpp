@@ -19,6 +19,7 @@
 #include <set>
 
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,11 +27,12 @@ namespace developable::fuzz {
 
 namespace {
 
-constexpr unsigned secondsPerSeed = 60;
+constexpr long secondsPerSeed = 60;
 
 /// What parent and child both know.
 struct Record {
-	long seed = 0; ///< the one being run
+	long seed = 0;           ///< the one being run
+	const char* method = ""; ///< alike; parent and child have their texts in the same place
 	long end = 0;
 	long withFindings = 0;
 	long assembled = 0, refusedMeshes = 0;
@@ -39,21 +41,6 @@ struct Record {
 
 void say(long seed, const char* method, const std::string& what) {
 	std::cout << "seed " << seed << ": " << method << ": " << what << std::endl;
-}
-
-/// Runs something; an exception of the library's own is an answer too.
-/// \return whether it came to a result
-template <class Run>
-bool attempt(const Run& run, Findings& findings) {
-	try {
-		run();
-		return true;
-	} catch (const Error& error) {
-		findings.expect(std::string(error.what()).size() > 20, "an exception without a sentence");
-	} catch (const std::exception& exception) {
-		findings.expect(false, std::string("an exception that is not our own: ") + exception.what());
-	}
-	return false;
 }
 
 /// Each message once.
@@ -65,6 +52,7 @@ bool reportFindings(long seed, const char* method, const Findings& findings) {
 
 void runSeed(Record& record) {
 	Random random(record.seed);
+	record.method = "assemblePatches";
 	const TriangleMesh mesh = hostileMesh(random);
 	const PatchOptions options = hostilePatchOptions(random, mesh);
 	PatchAssembly assembly;
@@ -78,6 +66,9 @@ void runSeed(Record& record) {
 	++(assembled ? record.assembled : record.refusedMeshes);
 	bool found = reportFindings(record.seed, "assemblePatches", ofAssembly);
 	for (std::size_t m = 0; assembled && m < methods.size(); ++m) {
+		if (!random.chance(methods[m].share))
+			continue;
+		record.method = methods[m].name;
 		Findings findings;
 		const bool done = attempt([&] { methods[m].run(random, assembly, findings); }, findings);
 		++(done ? record.completed : record.refused)[m];
@@ -86,12 +77,19 @@ void runSeed(Record& record) {
 	record.withFindings += found;
 }
 
+/// Processor time, whatever else the machine does; then SIGPROF ends the process.
+void limitTime() {
+	itimerval limit = {};
+	limit.it_value.tv_sec = secondsPerSeed;
+	setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
 /// Runs seeds in a child until it ends.
 void runInChild(Record& record, std::chrono::steady_clock::time_point deadline) {
 	const pid_t child = fork();
 	if (child == 0) {
 		for (; record.seed < record.end && std::chrono::steady_clock::now() < deadline; ++record.seed) {
-			alarm(secondsPerSeed);
+			limitTime();
 			runSeed(record);
 		}
 		record.end = record.seed;
@@ -102,9 +100,9 @@ void runInChild(Record& record, std::chrono::steady_clock::time_point deadline) 
 		throw std::runtime_error("no process to run in");
 	if (WIFEXITED(ending) && WEXITSTATUS(ending) == 0)
 		return;
-	say(record.seed, "ended",
-		WIFSIGNALED(ending) ? "by signal " + std::to_string(WTERMSIG(ending))
-							: "with exit code " + std::to_string(WEXITSTATUS(ending)));
+	say(record.seed, record.method,
+		WIFSIGNALED(ending) ? "ended by signal " + std::to_string(WTERMSIG(ending))
+							: "ended with exit code " + std::to_string(WEXITSTATUS(ending)));
 	++record.withFindings;
 	++record.seed;
 }

@@ -7,6 +7,7 @@
 #include "developable/penalty/penalty_method.h"
 
 #include <cmath>
+#include <limits>
 
 namespace developable::fuzz {
 
@@ -33,7 +34,8 @@ private:
 
 /// Runs a method on a copy of the original positions. When it throws they have to be as they were.
 template <class Run>
-Positions moved(const PatchAssembly& assembly, Findings& findings, const Run& run) {
+Positions moved(const PatchAssembly& assembly, Findings& findings, const Run& run,
+				AtBorders atBorders = AtBorders::Nothing) {
 	Positions positions = assembly.originalPositions;
 	Status status = Status::NothingToDo;
 	try {
@@ -45,7 +47,7 @@ Positions moved(const PatchAssembly& assembly, Findings& findings, const Run& ru
 	if (status == Status::Stopped || status == Status::NothingToDo)
 		findings.expect(positions == assembly.originalPositions,
 						"positions changed though " + describe(status));
-	checkResult(assembly, assembly.originalPositions, positions, findings);
+	checkResult(assembly, assembly.originalPositions, positions, findings, atBorders);
 	return positions;
 }
 
@@ -60,7 +62,7 @@ void checkConverged(const PatchAssembly& assembly, const Positions& positions, S
 						"converged with an angle defect of " + std::to_string(defects.values[copy]));
 }
 
-ConstrainedNewtonOptions newtonOptions(Random& random) {
+ConstrainedNewtonOptions newtonOptions(Random& random, double diagonal) {
 	ConstrainedNewtonOptions options;
 	options.maxIterations = random.below(12);
 	options.curvatureTolerance = random.oneOf({1e-4, 1e-2, 1e-10});
@@ -68,6 +70,13 @@ ConstrainedNewtonOptions newtonOptions(Random& random) {
 	options.smoothness = random.oneOf({3e-6, 1e-12, 1.0});
 	options.memoryLimit = random.oneOf({0.0, 0.0, 1.0});
 	options.tuning.coarsest = random.oneOf({1500, 1500, 12}); // several levels in a small mesh
+	options.fairness = random.oneOf({0.0, 0.0, 0.1, 1.0});
+	options.maxDisplacement = random.oneOf({-1.0, -1.0, 0.0, 1e-3 * diagonal, 0.1 * diagonal});
+	options.threads = random.below(3);
+	if (random.chance(0.03))
+		options.fairness = random.oneOf({-1.0, 2.0, std::nan("")});
+	if (random.chance(0.03))
+		options.maxDisplacement = random.oneOf({std::nan(""), std::numeric_limits<double>::infinity()});
 	if (random.chance(0.03))
 		options.smoothness = random.oneOf({0.0, -1.0, 2.0, std::nan("")});
 	if (random.chance(0.03))
@@ -97,13 +106,21 @@ void checkNewtonReport(const PatchAssembly& assembly, const Positions& positions
 } // namespace
 
 void runConstrainedNewton(Random& random, const PatchAssembly& assembly, Findings& findings) {
-	const ConstrainedNewtonOptions options = newtonOptions(random);
+	const double diagonal = boxDiagonal(assembly.originalPositions);
+	const ConstrainedNewtonOptions options = newtonOptions(random, diagonal);
 	Listener listener(random, findings);
 	ConstrainedNewtonReport report;
-	const Positions positions = moved(assembly, findings, [&](Positions& current) {
-		return report = constrainedNewton(assembly, current, options, listener.progress());
-	});
+	const Positions positions = moved(
+		assembly, findings,
+		[&](Positions& current) {
+			return report = constrainedNewton(assembly, current, options, listener.progress());
+		},
+		AtBorders::AnglesBeyondATurn);
 	checkTrianglesInOrder(assembly, positions, findings);
+	const double farthest = options.maxDisplacement < 0 ? 0.15 * diagonal : options.maxDisplacement;
+	findings.expect((positions - assembly.originalPositions).colwise().norm().maxCoeff() <=
+						farthest + 1e-15 * assembly.originalPositions.cwiseAbs().maxCoeff(),
+					"a vertex has moved farther than it may");
 	if (report.status != Status::Stopped)
 		checkNewtonReport(assembly, positions, options, report, findings);
 }

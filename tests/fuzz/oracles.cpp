@@ -91,7 +91,7 @@ void checkPlaces(const TriangleMesh& mesh, const PatchOptions& options, const Pa
 
 } // namespace
 
-OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions) {
+OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions, AtBorders atBorders) {
 	OwnDefects defects{Eigen::VectorXd::Constant(assembly.copyCount(), 2 * pi),
 					   Eigen::VectorXd::Constant(assembly.copyCount(), 1e-14)};
 	for (int corner = 0; corner < 3 * assembly.triangleCount(); ++corner) {
@@ -100,7 +100,7 @@ OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions)
 		defects.errors[assembly.copyAt(corner)] += error;
 	}
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		if (!assembly.copyInterior[copy])
+		if (!assembly.copyInterior[copy] && (atBorders == AtBorders::Nothing || defects.values[copy] > 0))
 			defects.values[copy] = defects.errors[copy] = 0;
 	return defects;
 }
@@ -123,12 +123,13 @@ void checkAssembly(const TriangleMesh& mesh, const PatchOptions& options, const 
 }
 
 void checkResult(const PatchAssembly& assembly, const Positions& before, const Positions& after,
-				 Findings& findings) {
+				 Findings& findings, AtBorders atBorders) {
 	findings.expect(after.cols() == before.cols() && after.allFinite(), "positions that are not finite");
 	for (int place = 0; place < assembly.placeCount(); ++place)
 		findings.expect(!assembly.placeFixed[place] || after.col(place) == before.col(place),
 						"a held vertex has moved");
-	const OwnDefects start = ownDefects(assembly, before), end = ownDefects(assembly, after);
+	const OwnDefects start = ownDefects(assembly, before, atBorders),
+					 end = ownDefects(assembly, after, atBorders);
 	const double slack = start.detectError() + end.detectError();
 	findings.expect(end.detectFunction() <= start.detectFunction() + slack,
 					"G has risen from " + std::to_string(start.detectFunction()) + " to " +

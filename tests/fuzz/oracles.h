@@ -4,7 +4,7 @@
 
 #include "developable/mesh/mesh.h"
 
-#include <functional>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -23,6 +23,21 @@ private:
 	std::vector<std::string> texts_;
 };
 
+/// Runs something; an exception of the library's own is an answer too.
+/// \return whether it came to a result
+template <class Run>
+bool attempt(const Run& run, Findings& findings) {
+	try {
+		run();
+		return true;
+	} catch (const Error& error) {
+		findings.expect(std::string(error.what()).size() > 20, "an exception without a sentence");
+	} catch (const std::exception& exception) {
+		findings.expect(false, std::string("an exception that is not our own: ") + exception.what());
+	}
+	return false;
+}
+
 /// Angle defects, and how far rounding may lead another way of computing them astray.
 struct OwnDefects {
 	Eigen::VectorXd values; ///< per copy, rad
@@ -33,7 +48,14 @@ struct OwnDefects {
 	double detectError() const { return 2 * values.cwiseAbs().dot(errors) + errors.squaredNorm(); }
 };
 
-OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions);
+/// What counts at the border of a patch.
+enum class AtBorders {
+	Nothing,          ///< g is 0 there (Eq. 5)
+	AnglesBeyondATurn ///< those of a panel that overlaps itself there when laid flat
+};
+
+OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions,
+					  AtBorders atBorders = AtBorders::Nothing);
 
 /// Of each patch, Σ abs(g), rad.
 std::vector<double> ownPatchCurvatures(const PatchAssembly& assembly, const OwnDefects& defects);
@@ -45,7 +67,7 @@ void checkAssembly(const TriangleMesh& mesh, const PatchOptions& options, const 
 
 /// What all methods promise: finite coordinates, held places exactly where they were, no more G than before.
 void checkResult(const PatchAssembly& assembly, const Positions& before, const Positions& after,
-				 Findings& findings);
+				 Findings& findings, AtBorders atBorders = AtBorders::Nothing);
 
 /// That no triangle has flipped against a neighbour, and none has become a sliver.
 void checkTrianglesInOrder(const PatchAssembly& assembly, const Positions& after, Findings& findings);

@@ -16,6 +16,7 @@ namespace developable::fuzz {
 struct Method {
 	const char* name;
 	void (*run)(Random& random, const PatchAssembly& assembly, Findings& findings);
+	double share = 1; ///< of the seeds that it runs on; less for those that take long
 };
 
 void runMeasure(Random& random, const PatchAssembly& assembly, Findings& findings);
@@ -25,6 +26,8 @@ void runLocalMethod(Random& random, const PatchAssembly& assembly, Findings& fin
 void runFlattenPatches(Random& random, const PatchAssembly& assembly, Findings& findings);
 void runTriangulatePolygon(Random& random, const PatchAssembly& assembly, Findings& findings);
 void runDistancesToSurface(Random& random, const PatchAssembly& assembly, Findings& findings);
+void runBoundedStrain(Random& random, const PatchAssembly& assembly, Findings& findings);
+void runCutIntoPanels(Random& random, const PatchAssembly& assembly, Findings& findings);
 
 inline constexpr std::array methods = {Method{"measure", runMeasure},
 									   Method{"constrainedNewton", runConstrainedNewton},
@@ -32,6 +35,8 @@ inline constexpr std::array methods = {Method{"measure", runMeasure},
 									   Method{"localMethod", runLocalMethod},
 									   Method{"flattenPatches", runFlattenPatches},
 									   Method{"triangulatePolygon", runTriangulatePolygon},
-									   Method{"distancesToSurface", runDistancesToSurface}};
+									   Method{"distancesToSurface", runDistancesToSurface},
+									   Method{"boundedStrain", runBoundedStrain, 0.1},
+									   Method{"cutIntoPanels", runCutIntoPanels, 0.05}};
 
 } // namespace developable::fuzz

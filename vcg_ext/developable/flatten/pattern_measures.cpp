@@ -119,8 +119,9 @@ void addNotes(int number, const FlatPiece& piece, std::vector<std::string>& note
 /// Which piece is beyond the bounds, where and by how much.
 void addNoteOfBounds(const PatchAssembly& assembly, const Positions& model, int number,
 					 const FlatPiece& piece, std::vector<std::string>& notes) {
-	const Eigen::Vector3d at =
+	const Eigen::Vector3d middle =
 		model(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
+	const Eigen::Vector3d at = inMeshUnits(assembly.lengthExponent, middle);
 	char text[240];
 	std::snprintf(
 		text, sizeof text,

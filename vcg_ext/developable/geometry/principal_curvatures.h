@@ -12,11 +12,11 @@ struct PrincipalCurvatures {
 	Eigen::VectorXd greatest; ///< |κ_max|, per copy
 };
 
-/// Estimates principal curvatures by vcglib's quadric fitting. Of its estimators it is the one that
-/// converges: on irregular meshes of cylinders and spheres with 961 vertices its mean error is below 0.5 %,
-/// at borders too, where PrincipalDirections (Taubin) is off by a quarter and more and
-/// PrincipalDirectionsNormalCycle is not scaled to curvatures at all. Vertices with too few neighbours for a
-/// fit count as flat.
+/// Fits a quadric to the neighbours of each copy and their neighbours, over its tangent plane (Cazals and
+/// Pouget, Estimating differential quantities using polynomial fitting of osculating jets, 2005). On
+/// irregular meshes of cylinders and spheres with 961 vertices the mean error is below 0.5 %, at borders too.
+/// Vertices with too few neighbours for a fit count as flat. The time grows with the number of corners,
+/// whatever the vertices' valence (see detail::SecondRings).
 PrincipalCurvatures principalCurvatures(const PatchAssembly& assembly, const Positions& positions);
 
 } // namespace developable

@@ -6,23 +6,28 @@
 
 #include <Eigen/IterativeLinearSolvers>
 
+#include <algorithm>
+
 namespace developable {
 
 namespace {
 
 constexpr double memoryShare = 0.7; ///< of what the machine has, for the factor
+/// Without rounding, as many steps as rows would do; what has not come to an end after ten times as many does
+/// not.
+constexpr Eigen::Index stepsPerRow = 10;
 
 } // namespace
 
 class SparseSolver::Iterative {
 public:
-	explicit Iterative(const Iteration& iteration) {
+	explicit Iterative(const Iteration& iteration) : stepLimit_(iteration.stepLimit) {
 		solver_.setTolerance(iteration.tolerance);
-		solver_.setMaxIterations(iteration.stepLimit);
 	}
 
 	bool compute(const SparseMatrix& lower) {
 		matrix_ = lower;
+		solver_.setMaxIterations(std::min<Eigen::Index>(stepLimit_, stepsPerRow * lower.rows()));
 		solver_.compute(matrix_);
 		return solver_.info() == Eigen::Success;
 	}
@@ -35,6 +40,7 @@ public:
 private:
 	using Preconditioner = Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<int>>;
 
+	int stepLimit_;
 	SparseMatrix matrix_;
 	Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower, Preconditioner> solver_;
 };

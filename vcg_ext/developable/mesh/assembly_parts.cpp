@@ -77,6 +77,7 @@ public:
 		PatchAssembly& assembly = result.assembly;
 		assembly.patches = chosen(whole_.patches, result.wholePatch);
 		assembly.leastHeightRatio = whole_.leastHeightRatio;
+		assembly.lengthExponent = whole_.lengthExponent;
 		assembly.originalPositions = whole_.originalPositions(Eigen::all, result.wholePlace);
 		assembly.placeFixed = chosen(whole_.placeFixed, result.wholePlace);
 		assembly.placeAssembling = chosen(whole_.placeAssembling, result.wholePlace);

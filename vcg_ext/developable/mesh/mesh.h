@@ -3,9 +3,9 @@
 // as flat arrays.
 //
 // A TriangleMesh becomes a PatchAssembly (assemblePatches): patches, vertex copies, and places, which are
-// linked vertex sets. Every method works on an assembly and on positions, 3 x places in the mesh's unit of
-// length, and says in a report how it ended. Invalid input throws one of the exceptions derived from Error,
-// with the mesh untouched.
+// linked vertex sets. Every method works on an assembly and on positions, 3 x places in the assembly's unit
+// of length, which is the mesh's unless that is far too large or small (length_unit.h), and says in a report
+// how it ended. Invalid input throws one of the exceptions derived from Error, with the mesh untouched.
 #pragma once
 
 #include "assemble_patches.h"
@@ -16,6 +16,7 @@
 #include "grouping.h"
 #include "indices.h"
 #include "joined_faces.h"
+#include "length_unit.h"
 #include "options.h"
 #include "parallel_tasks.h"
 #include "partial_assembly.h"

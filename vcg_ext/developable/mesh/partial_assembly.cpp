@@ -27,6 +27,7 @@ PartialAssembly partialAssembly(const PatchAssembly& whole, const Eigen::Matrix3
 	mesh.face.resize(triangles.cols());
 	std::iota(mesh.face.begin(), mesh.face.end(), 0);
 	mesh.leastHeightRatio = whole.leastHeightRatio;
+	mesh.lengthExponent = whole.lengthExponent;
 	PatchOptions options;
 	options.fixSelected = true;
 	PartialAssembly result{assemblePatches(mesh, options), {}};

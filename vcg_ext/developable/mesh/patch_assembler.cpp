@@ -16,6 +16,7 @@ PatchAssembly PatchAssembler::assemble() {
 	fillCorners();
 	fillPlaces();
 	result_.leastHeightRatio = mesh_.leastHeightRatio;
+	result_.lengthExponent = mesh_.lengthExponent;
 	return std::move(result_);
 }
 

@@ -51,6 +51,7 @@ struct PatchAssembly {
 
 	std::vector<Patch> patches;
 	double leastHeightRatio = 1e-12; ///< see TriangleMesh
+	int lengthExponent = 0;          ///< see TriangleMesh
 
 	/// Of a corner or of the start of a half edge; see indices.h.
 	int placeAt(int corner) const { return trianglePlaces.data()[corner]; }

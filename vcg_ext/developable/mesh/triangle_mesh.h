@@ -32,6 +32,9 @@ struct TriangleMesh {
 	/// tell.
 	double leastHeightRatio = 1e-12;
 
+	/// Positions times 2 to this power are those of the mesh that was read; see length_unit.h.
+	int lengthExponent = 0;
+
 	int vertexCount() const { return static_cast<int>(positions.cols()); }
 	int triangleCount() const { return static_cast<int>(triangles.cols()); }
 };

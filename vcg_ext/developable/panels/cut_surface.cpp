@@ -190,6 +190,7 @@ TriangleMesh CutSurface::meshOf(const std::vector<int>& triangles) const {
 	mesh.triangleSelected.assign(count, 0);
 	mesh.face = triangles;
 	mesh.leastHeightRatio = assembly_.leastHeightRatio;
+	mesh.lengthExponent = assembly_.lengthExponent;
 	return mesh;
 }
 

@@ -79,6 +79,7 @@ void PanelPlan::separatePatches(const TriangleMesh& mesh, const PatchOptions& pa
 	mesh_.triangles = given.triangleCopies;
 	mesh_.vertexSelected.assign(given.copyCount(), 0);
 	mesh_.leastHeightRatio = mesh.leastHeightRatio;
+	mesh_.lengthExponent = mesh.lengthExponent;
 	mesh_.face = given.faceOfTriangle;
 	origins_.resize(given.copyCount());
 	std::vector<char> worked(mesh.triangleCount(), 0);
@@ -359,9 +360,16 @@ CutReport PanelPlan::reportOf(const SewnPanels& sewn) const {
 	const auto bad = std::count_if(report.panels.begin(), report.panels.end(),
 								   [](const CutPanel& panel) { return !panel.developable; });
 	const bool soFew = options_.maxPanels > 0 && int(report.panels.size()) >= options_.maxPanels;
-	report.status = bad > 0 ? (soFew ? Status::LimitReached : Status::NeedsCut)
-					: seamChains(*surface_).empty() && givenSeamLength_ == 0 ? Status::NothingToDo
-																			 : Status::Converged;
+	const bool uncut = seamChains(*surface_).empty();
+	const bool tooMany = !uncut && soFew && int(report.panels.size()) > options_.maxPanels;
+	report.status = bad > 0                          ? (soFew ? Status::LimitReached : Status::NeedsCut)
+					: tooMany                        ? Status::LimitReached
+					: uncut && givenSeamLength_ == 0 ? Status::NothingToDo
+													 : Status::Converged;
+	if (tooMany)
+		report.notes.push_back("No way was found to make do with " +
+							   counted(std::size_t(options_.maxPanels), "panel", "panels") +
+							   ": there are as few as could be joined.");
 	if (bad > 0) {
 		report.notes.push_back(
 			counted(std::size_t(bad), "panel", "panels") + " of " + std::to_string(report.panels.size()) +
@@ -389,6 +397,7 @@ TriangleMesh PanelPlan::asCut() const {
 	mesh.vertexSelected.assign(mesh.vertexCount(), 0);
 	mesh.triangleSelected.assign(mesh.triangleCount(), 0);
 	mesh.leastHeightRatio = mesh_.leastHeightRatio;
+	mesh.lengthExponent = mesh_.lengthExponent;
 	return mesh;
 }
 

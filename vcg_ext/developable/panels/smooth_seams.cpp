@@ -19,6 +19,7 @@ public:
 		: mesh_(mesh), surface_(surface), memberships_(memberships), labelsAt_(memberships.nodes),
 		  crossing_(3 * mesh.triangleCount(), -1) {
 		result_.mesh.leastHeightRatio = mesh.leastHeightRatio;
+		result_.mesh.lengthExponent = mesh.lengthExponent;
 		for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
 			result_.origins.push_back({vertex, vertex, 0});
 	}
@@ -71,7 +72,8 @@ private:
 	void findSewnSides() {
 		const PatchAssembly& assembly = surface_.assembly();
 		std::map<std::pair<int, int>, int> borders;
-		const auto ends = [&](int h) {
+		const auto ends =
+			[&](int h) -> std::pair<int, int> { // values: std::minmax refers to what it is given
 			return std::minmax(assembly.placeAt(h), assembly.placeAt(nextCorner(h)));
 		};
 		sewn_.assign(crossing_.size(), 0);

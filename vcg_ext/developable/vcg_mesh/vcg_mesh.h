@@ -99,9 +99,30 @@ std::vector<int> cornerLabels(const MeshType& mesh, SeamKind seams) {
 
 } // namespace detail
 
+/// Coordinates in the unit that they are best worked with.
+/// \throws InvalidCoordinate  when the square of the mesh's size is beyond the numbers that its scalar has,
+/// so
+///                            that the host can't measure it either
+template <class Scalar>
+void chooseUnit(TriangleMesh& mesh) {
+	const int exponent = lengthExponent(mesh.positions, mesh.triangles);
+	constexpr int largest = std::numeric_limits<Scalar>::max_exponent / 2,
+				  smallest =
+					  (std::numeric_limits<Scalar>::min_exponent - std::numeric_limits<Scalar>::digits) / 2;
+	if (exponent > largest || exponent < smallest)
+		throw InvalidCoordinate("The mesh is about 1e" +
+								std::to_string(std::lround(exponent * std::log10(2))) +
+								" long, and the square of that is no number that the host has: scale it " +
+								(exponent > 0 ? "down." : "up."));
+	mesh.lengthExponent = exponent;
+	if (exponent != 0)
+		mesh.positions = mesh.positions.unaryExpr([=](double x) { return inWorkingUnits(exponent, x); });
+}
+
 /// Reads a vcg mesh of any scalar into arrays. Deleted vertices keep their column; deleted faces are left
 /// out.
-/// \throws MissingAttribute  when the mesh lacks what the seams are told by, or has no numbers there
+/// \throws MissingAttribute   when the mesh lacks what the seams are told by, or has no numbers there
+/// \throws InvalidCoordinate  when it is too large or too small; see chooseUnit
 template <class MeshType>
 TriangleMesh readTriangles(const MeshType& mesh, SeamKind seams = SeamKind::ConnectedComponents) {
 	TriangleMesh result;
@@ -132,19 +153,28 @@ TriangleMesh readTriangles(const MeshType& mesh, SeamKind seams = SeamKind::Conn
 		result.face.push_back(static_cast<int>(face));
 	}
 	result.cornerLabel = detail::cornerLabels(mesh, seams);
+	chooseUnit<typename MeshType::ScalarType>(result);
 	return result;
 }
 
 /// Reads a vcg mesh into patches; see assemblePatches and readTriangles for what is thrown.
+/// \param options  with lengths in the mesh's own unit
 template <class MeshType>
 PatchAssembly readPatches(const MeshType& mesh, const PatchOptions& options = {}) {
-	return assemblePatches(readTriangles(mesh, options.seams), options);
+	const TriangleMesh read = readTriangles(mesh, options.seams);
+	PatchOptions inUnits = options;
+	inUnits.weldDistance = inWorkingUnits(read.lengthExponent, options.weldDistance);
+	return assemblePatches(read, inUnits);
 }
 
-/// The positions as a mesh with that scalar holds them.
-template <class Scalar>
-Positions rounded(const Positions& positions) {
-	return positions.cast<Scalar>().template cast<double>();
+/// Coordinates as a mesh with that scalar holds them.
+/// \param lengthExponent  of the mesh that they are to be written to
+template <class Scalar, class Coordinates>
+typename Coordinates::PlainObject rounded(const Eigen::DenseBase<Coordinates>& coordinates,
+										  int lengthExponent = 0) {
+	return coordinates.derived().unaryExpr([=](double x) {
+		return inWorkingUnits(lengthExponent, double(narrowed<Scalar>(inMeshUnits(lengthExponent, x))));
+	});
 }
 
 /// Writes the places' positions to all their mesh vertices; other vertices are left alone.
@@ -156,7 +186,8 @@ void writePositions(MeshType& mesh, const PatchAssembly& assembly, const Positio
 		if (place < 0)
 			continue;
 		for (int axis = 0; axis < 3; ++axis)
-			mesh.vert[vertex].P()[axis] = static_cast<Scalar>(positions(axis, place));
+			mesh.vert[vertex].P()[axis] =
+				narrowed<Scalar>(inMeshUnits(assembly.lengthExponent, positions(axis, place)));
 	}
 }
 
