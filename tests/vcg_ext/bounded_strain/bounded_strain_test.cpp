@@ -78,8 +78,8 @@ TEST(BoundedStrain, ACapMovesWhereItBearsLess) {
 		const Eigen::Array2d strains = extremeStrains(assembly, positions, patterns);
 		EXPECT_LT(strains[0], stretch + 1e-4);
 		EXPECT_LT(strains[1], compression + 1e-4);
-		EXPECT_NEAR(strains[0], patterns.report.maxStretch, 1e-9);
-		EXPECT_NEAR(strains[1], patterns.report.maxCompression, 1e-9);
+		EXPECT_NEAR(std::max(strains[0], 0.0), patterns.report.maxStretch, 1e-9);
+		EXPECT_NEAR(std::max(strains[1], 0.0), patterns.report.maxCompression, 1e-9);
 	}
 }
 

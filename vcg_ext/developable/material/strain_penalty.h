@@ -28,7 +28,7 @@ struct StrainedTriangles {
 ///     Ψ = Σ w (γ/2 e² + p(e − h) + p(l − e)),     p'(c) = κ/2 (c + √(c² + δ²)),
 /// which is a quadratic penalty κ/2 c₊² whose edge is rounded over the width δ, so that Newton's method sees
 /// bounds coming. The little elastic energy makes the pattern unique where no bound is touched. Second
-/// derivatives leave out what would make them indefinite.
+/// derivatives count that principal directions turn, and leave out what would make them indefinite.
 class StrainPenalty {
 public:
 	/// Derivatives by so many coordinates.
