@@ -9,7 +9,6 @@ namespace developable::plugin {
 namespace {
 
 constexpr double perCent = 100;
-constexpr double lastTolerance = 1e-4; ///< of strains within their bounds, as flattenPatches has it
 
 /// "2 %", "2 % stretch and 1 % compression", or with its directions "1.9 % (warp), 1.9 % (weft), 4.7 %
 /// (bias) stretch and ...".
@@ -40,7 +39,7 @@ std::string verdict(const Material& material, const FlatPatterns& patterns, cons
 	std::string words = material.name + ": ";
 	const int beyond = static_cast<int>(
 		std::count_if(patterns.pieces.begin(), patterns.pieces.end(),
-					  [](const FlatPiece& piece) { return piece.beyondBounds > lastTolerance; }));
+					  [](const FlatPiece& piece) { return piece.beyondBounds > patternTolerance; }));
 	if (beyond == 0)
 		words += "every panel is within its " + boundsInWords(patterns.bounds);
 	else

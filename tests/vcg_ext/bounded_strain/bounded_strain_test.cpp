@@ -92,7 +92,6 @@ TEST(BoundedStrain, MovesLessTheMoreIsAllowedAndNeverFartherThanToADevelopableSh
 		Positions positions = assembly.originalPositions;
 		const BoundedStrainReport report = boundedStrain(assembly, positions, optionsFor(bound, bound));
 		EXPECT_TRUE(converged(report.status)) << bound;
-		EXPECT_NEAR(std::sqrt(report.squaredDistance), distance(assembly, positions), 1e-12);
 		EXPECT_LT(distance(assembly, positions), before) << bound;
 		before = distance(assembly, positions);
 	}

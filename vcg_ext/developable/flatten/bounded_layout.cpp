@@ -33,14 +33,14 @@ public:
 	}
 
 	PlanePositions solve() {
-		if (violation() <= shareOfTolerance * strainTolerance)
+		if (violation() <= shareOfTolerance * patternTolerance)
 			return positions_;
 		Hardening hardening(penalty_);
 		int idle = 0, steps = 0; // no good in all, and with the same stiffness
 		for (int i = 0; i < mostSteps; ++i) {
 			takeGrain();
 			const double decrease = step();
-			if (decrease < settled && violation() <= shareOfTolerance * strainTolerance)
+			if (decrease < settled && violation() <= shareOfTolerance * patternTolerance)
 				break;
 			if (decrease == 0) {
 				if (++idle == patience)

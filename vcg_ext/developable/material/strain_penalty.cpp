@@ -93,10 +93,9 @@ StrainPenalty::Slope StrainPenalty::slope(const Direction& direction, double str
 	if (!direction.bounded)
 		return slope;
 	const auto add = [&](double c, double sign) {
-		const double root = std::sqrt(c * c + width_ * width_);
-		slope.value += stiffness_ / 4 * (c * (c + root) + width_ * width_ * std::asinh(c / width_));
-		slope.first += sign * stiffness_ / 2 * (c + root);
-		slope.second += stiffness_ / 2 * (1 + c / root);
+		slope.value += edge_.value(c);
+		slope.first += sign * edge_.first(c);
+		slope.second += edge_.second(c);
 	};
 	add(strain - direction.greatest, 1);
 	add(direction.least - strain, -1);
