@@ -9,6 +9,7 @@ namespace developable::plugin {
 namespace {
 
 constexpr double perCent = 100;
+constexpr std::size_t mostPanels = 5; ///< that a verdict names
 
 /// "2 %", "2 % stretch and 1 % compression", or with its directions "1.9 % (warp), 1.9 % (weft), 4.7 %
 /// (bias) stretch and ...".
@@ -26,26 +27,48 @@ std::string boundsInWords(const StrainBounds& bounds) {
 		   " compression";
 }
 
+std::string pointInWords(const Eigen::Vector3d& at) {
+	return "(" + formatted(at[0], 4) + ", " + formatted(at[1], 4) + ", " + formatted(at[2], 4) + ")";
+}
+
 /// Where a map of the pattern is largest on the model.
 std::string placeOfLargest(const FlatPatterns& patterns, const Positions& positions) {
 	int vertex = 0;
 	patterns.stretch.cwiseMax(patterns.compression).maxCoeff(&vertex);
-	const auto at = positions.col(patterns.placeOfVertex[std::size_t(vertex)]);
-	return "(" + formatted(at[0], 4) + ", " + formatted(at[1], 4) + ", " + formatted(at[2], 4) + ")";
+	return pointInWords(positions.col(patterns.placeOfVertex[std::size_t(vertex)]));
 }
 
-std::string verdict(const Material& material, const FlatPatterns& patterns, const Positions& positions) {
+/// "panel 2 by 0.31 % at (1, 2, 3), panel 4 by ...", the worst first.
+std::string panelsBeyond(const std::vector<std::size_t>& beyond, const PatchAssembly& assembly,
+						 const FlatPatterns& patterns, const Positions& positions) {
+	std::string words;
+	for (std::size_t i = 0; i < std::min(beyond.size(), mostPanels); ++i) {
+		const FlatPiece& piece = patterns.pieces[beyond[i]];
+		const Eigen::Vector3d at =
+			positions(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
+		words += (i == 0 ? "panel " : ", panel ") + std::to_string(beyond[i]) + " by " +
+				 formatted(perCent * piece.beyondBounds, 3) + " % at " + pointInWords(at);
+	}
+	return beyond.size() > mostPanels ? words + ", and others by less" : words;
+}
+
+std::string verdict(const Material& material, const PatchAssembly& assembly, const FlatPatterns& patterns,
+					const Positions& positions) {
 	const FlattenReport& report = patterns.report;
+	std::vector<std::size_t> beyond;
+	for (std::size_t i = 0; i < patterns.pieces.size(); ++i)
+		if (patterns.pieces[i].beyondBounds > patternTolerance)
+			beyond.push_back(i);
+	std::stable_sort(beyond.begin(), beyond.end(), [&](std::size_t a, std::size_t b) {
+		return patterns.pieces[a].beyondBounds > patterns.pieces[b].beyondBounds;
+	});
+	const std::string bounds = boundsInWords(patterns.bounds);
 	std::string words = material.name + ": ";
-	const int beyond = static_cast<int>(
-		std::count_if(patterns.pieces.begin(), patterns.pieces.end(),
-					  [](const FlatPiece& piece) { return piece.beyondBounds > patternTolerance; }));
-	if (beyond == 0)
-		words += "every panel is within its " + boundsInWords(patterns.bounds);
+	if (beyond.empty())
+		words += "every panel is within its " + bounds;
 	else
-		words += counted(std::size_t(beyond), "panel is", "panels are") + " beyond " +
-				 boundsInWords(patterns.bounds) + ", by up to " +
-				 formatted(perCent * report.beyondBounds, 3) + " % of length";
+		words += counted(beyond.size(), "panel is", "panels are") + " beyond " + bounds + ": " +
+				 panelsBeyond(beyond, assembly, patterns, positions);
 	return words + "; largest " + formatted(perCent * std::max(report.maxStretch, report.maxCompression), 3) +
 		   " % at " + placeOfLargest(patterns, positions);
 }
@@ -67,7 +90,7 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 		addStrains(results, patterns.report);
 		if (!options.bounds.any())
 			return;
-		call.log(verdict(chosenMaterial(call.values), patterns, positions));
+		call.log(verdict(chosenMaterial(call.values), assembly, patterns, positions));
 		for (const std::string& note : patterns.report.notes)
 			call.log(note);
 	} catch (
@@ -90,12 +113,11 @@ void judgeBending(FilterCall& call, const PatchAssembly& assembly, const Positio
 	const double limit = leastBendingRadius(thickness, material.elasticStrain);
 	int tightest = 0;
 	const double least = radii.minCoeff(&tightest);
-	const auto at = positions.col(tightest);
 	call.log(material.name + ", " + formatted(thickness, 3) + " thick, bears radii down to " +
 			 formatted(limit, 3) + ": " +
 			 formatted(perCent * shareBelowRadius(assembly, positions, radii, limit), 3) +
-			 " % of the area is bent more tightly; the smallest radius is " + formatted(least, 3) + ", at (" +
-			 formatted(at[0], 4) + ", " + formatted(at[1], 4) + ", " + formatted(at[2], 4) + ")");
+			 " % of the area is bent more tightly; the smallest radius is " + formatted(least, 3) + ", at " +
+			 pointInWords(positions.col(tightest)));
 }
 
 } // namespace developable::plugin

@@ -95,13 +95,38 @@ double farthestMove(const PatchAssembly& part, const Positions& positions) {
 	return (positions - part.originalPositions).colwise().norm().maxCoeff();
 }
 
-/// How far the nearest shape within the bounds moves a place, were there no bound on that; 0: not found.
-double nearestWithin(const PatchAssembly& part, const Positions& start, const BoundedStrainOptions& options,
-					 double farthest, const Progress& progress) {
-	const double anywhere = 10 * boxDiagonal(part.originalPositions);
-	const LevelOutcome free = BoundedLevels(options, anywhere).solve(part, start, progress);
-	const double move = farthestMove(part, free.positions);
-	return free.ending == BoundedEnding::Within && move > farthest ? move : 0;
+/// Measures a result's pattern. \return false when the user asked for a stop
+bool measure(const PatchAssembly& part, const BoundedStrainOptions& options, const Progress& progress,
+			 BoundedOutcome& outcome) {
+	const FlatPatterns patterns = flattenPatches(part, outcome.positions, flattening(options), progress);
+	if (patterns.report.stopped) {
+		outcome.status = Status::Stopped;
+		return false;
+	}
+	outcome.beyondBounds = beyondBounds(part, outcome.positions, patterns);
+	return true;
+}
+
+bool within(const BoundedOutcome& outcome) {
+	return outcome.beyondBounds.maxCoeff() <= patternTolerance;
+}
+
+/// From a start beyond the bounds.
+BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
+						 const BoundedStrainOptions& options, double farthest, const Progress& progress) {
+	LevelOutcome found = BoundedLevels(options, farthest).solve(part, start, partOf(progress, 0, 0.95));
+	BoundedOutcome result;
+	result.status = statusOf(found.ending, part);
+	result.iterations = found.iterations;
+	result.positions = std::move(found.positions);
+	// A pattern by itself is found more exactly than together with its shape: it decides.
+	if (result.status == Status::Stopped || !measure(part, options, partOf(progress, 0.95, 1), result))
+		return result;
+	if (within(result))
+		result.status = Status::Converged;
+	else if (result.status == Status::Converged)
+		result.status = statusOf(BoundedEnding::Stuck, part);
+	return result;
 }
 
 } // namespace
@@ -111,38 +136,21 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 	const double farthest = farthestAllowed(part, options.maxDisplacement);
 	BoundedOutcome result;
 	result.positions = farthestMove(part, start) <= farthest ? start : part.originalPositions;
-	const auto measure = [&] {
-		const FlatPatterns patterns =
-			flattenPatches(part, result.positions, flattening(options), partOf(progress, 0, 0.05));
-		result.beyondBounds =
-			patterns.report.stopped ? Eigen::VectorXd() : beyondBounds(part, result.positions, patterns);
-		return patterns.report.stopped;
-	};
-	const auto within = [&] { return result.beyondBounds.maxCoeff() <= patternTolerance; };
-	if (measure())
-		result.status = Status::Stopped;
-	if (result.status == Status::Stopped || within())
+	if (!measure(part, options, partOf(progress, 0, 0.05), result) || within(result))
 		return result;
-	result.status = statusOf(BoundedEnding::Stuck, part);
-	if (farthest > 0) {
-		LevelOutcome outcome =
-			BoundedLevels(options, farthest).solve(part, result.positions, partOf(progress, 0.05, 0.7));
-		result.status = statusOf(outcome.ending, part);
-		result.iterations = outcome.iterations;
-		if (result.status == Status::Stopped)
-			return result;
-		result.positions = std::move(outcome.positions);
-		// A pattern by itself is found more exactly than together with its shape.
-		if (measure())
-			result.status = Status::Stopped;
-		else if (within())
-			result.status = Status::Converged;
-		else if (result.status == Status::Converged)
-			result.status = statusOf(BoundedEnding::Stuck, part);
-	}
-	if (result.status == Status::NeedsCut || result.status == Status::Stalled)
-		result.nearestDevelopable =
-			nearestWithin(part, part.originalPositions, options, farthest, partOf(progress, 0.7, 1));
+	if (farthest > 0)
+		result = solveFrom(part, result.positions, options, farthest, partOf(progress, 0.05, 0.7));
+	else
+		result.status = statusOf(BoundedEnding::Stuck, part);
+	if (result.status != Status::NeedsCut && result.status != Status::Stalled)
+		return result;
+	const double anywhere = 10 * boxDiagonal(part.originalPositions);
+	const BoundedOutcome free =
+		solveFrom(part, part.originalPositions, options, anywhere, partOf(progress, 0.7, 1));
+	if (free.status == Status::Stopped)
+		result.status = Status::Stopped;
+	else if (free.status == Status::Converged && farthestMove(part, free.positions) > farthest)
+		result.nearestDevelopable = farthestMove(part, free.positions);
 	return result;
 }
 

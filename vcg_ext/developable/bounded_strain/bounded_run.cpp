@@ -15,6 +15,14 @@ constexpr double slow = 0.9;             // decrease of φ that a step must prom
 constexpr double settledDecrease = 0.02; // of φ, and of the distance: less means that the nearest is found
 constexpr double settledDistance = 0.005;
 constexpr int patience = 8; // steps that were no good
+// Where bounds can be kept, violations fall nearly as stiffness grows; else they come to an end.
+constexpr std::size_t hopelessHardenings = 4;
+constexpr double hopelessShare = 0.7; // of the violation so many hardenings, 256 times the stiffness, before
+
+bool hopeless(const std::vector<double>& violations) {
+	return violations.size() > hopelessHardenings &&
+		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
+}
 
 } // namespace
 
@@ -31,6 +39,7 @@ BoundedEnding BoundedRun::run() {
 	Hardening hardening(penalty_, firstStiffness_);
 	const double startViolation = violation();
 	double distance = 0;
+	std::vector<double> violations; // before each hardening
 	for (int idle = 0; idle < patience;) {
 		if (iterations_ >= options_.maxIterations)
 			return BoundedEnding::OutOfSteps;
@@ -49,9 +58,12 @@ BoundedEnding BoundedRun::run() {
 			return BoundedEnding::Within;
 		if (decrease == 0) {
 			hardening.soften();
+			violations.clear();
 			++idle;
 		} else if (decrease < slow) {
-			hardening.harden();
+			violations.push_back(violation());
+			if (hopeless(violations) || (!hardening.harden() && settled))
+				return BoundedEnding::Stuck;
 		}
 	}
 	return violation() <= options_.tolerance ? BoundedEnding::Within : BoundedEnding::Stuck;

@@ -16,6 +16,8 @@ SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness
 }
 
 Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairness) {
+	if (fairness == 0)
+		return {displacementMetric(assembly, smoothness), assembly.originalPositions};
 	detail::NewtonProblem problem(assembly, {}, NewtonTuning(), 0, fairness, smoothness);
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness));
 	return {problem.metric().matrix(), problem.aim()};
