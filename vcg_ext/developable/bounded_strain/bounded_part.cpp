@@ -41,7 +41,7 @@ private:
 		constexpr double shareOfCoarse = 0.4; // of the time
 		const Positions coarseStart = coarse.assembly.originalPositions +
 									  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-		const LevelOutcome outcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, shareOfCoarse));
+		LevelOutcome outcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, shareOfCoarse));
 		const Progress rest = partOf(progress, shareOfCoarse, 1);
 		if (outcome.ending == BoundedEnding::Stopped)
 			return outcome;
