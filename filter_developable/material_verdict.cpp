@@ -9,7 +9,7 @@ namespace developable::plugin {
 namespace {
 
 constexpr double perCent = 100;
-constexpr double lastTolerance = 1e-4; ///< of strains within their bounds, as flattenPatches has it
+constexpr std::size_t mostPanels = 5; ///< that a verdict names
 
 /// "2 %", "2 % stretch and 1 % compression", or with its directions "1.9 % (warp), 1.9 % (weft), 4.7 %
 /// (bias) stretch and ...".
@@ -35,25 +35,42 @@ std::string pointInWords(const Eigen::Vector3d& at) {
 std::string placeOfLargest(const FlatPatterns& patterns, const Positions& positions, int lengthExponent) {
 	int vertex = 0;
 	patterns.stretch.cwiseMax(patterns.compression).maxCoeff(&vertex);
-	return pointInWords(
-		inMeshUnits(lengthExponent, positions.col(patterns.placeOfVertex[std::size_t(vertex)])));
+	return pointInWords(inMeshUnits(lengthExponent, positions.col(patterns.placeOfVertex[std::size_t(vertex)])));
 }
 
-std::string verdict(const Material& material, const FlatPatterns& patterns, const Positions& positions,
-					int lengthExponent) {
+/// "panel 2 by 0.31 % at (1, 2, 3), panel 4 by ...", the worst first.
+std::string panelsBeyond(const std::vector<std::size_t>& beyond, const PatchAssembly& assembly,
+						 const FlatPatterns& patterns, const Positions& positions) {
+	std::string words;
+	for (std::size_t i = 0; i < std::min(beyond.size(), mostPanels); ++i) {
+		const FlatPiece& piece = patterns.pieces[beyond[i]];
+		const Eigen::Vector3d at =
+			positions(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
+		words += (i == 0 ? "panel " : ", panel ") + std::to_string(beyond[i]) + " by " +
+				 formatted(perCent * piece.beyondBounds, 3) + " % at " + pointInWords(inMeshUnits(assembly.lengthExponent, at));
+	}
+	return beyond.size() > mostPanels ? words + ", and others by less" : words;
+}
+
+std::string verdict(const Material& material, const PatchAssembly& assembly, const FlatPatterns& patterns,
+					const Positions& positions) {
 	const FlattenReport& report = patterns.report;
+	std::vector<std::size_t> beyond;
+	for (std::size_t i = 0; i < patterns.pieces.size(); ++i)
+		if (patterns.pieces[i].beyondBounds > patternTolerance)
+			beyond.push_back(i);
+	std::stable_sort(beyond.begin(), beyond.end(), [&](std::size_t a, std::size_t b) {
+		return patterns.pieces[a].beyondBounds > patterns.pieces[b].beyondBounds;
+	});
+	const std::string bounds = boundsInWords(patterns.bounds);
 	std::string words = material.name + ": ";
-	const int beyond = static_cast<int>(
-		std::count_if(patterns.pieces.begin(), patterns.pieces.end(),
-					  [](const FlatPiece& piece) { return piece.beyondBounds > lastTolerance; }));
-	if (beyond == 0)
-		words += "every panel is within its " + boundsInWords(patterns.bounds);
+	if (beyond.empty())
+		words += "every panel is within its " + bounds;
 	else
-		words += counted(std::size_t(beyond), "panel is", "panels are") + " beyond " +
-				 boundsInWords(patterns.bounds) + ", by up to " +
-				 formatted(perCent * report.beyondBounds, 3) + " % of length";
+		words += counted(beyond.size(), "panel is", "panels are") + " beyond " + bounds + ": " +
+				 panelsBeyond(beyond, assembly, patterns, positions);
 	return words + "; largest " + formatted(perCent * std::max(report.maxStretch, report.maxCompression), 3) +
-		   " % at " + placeOfLargest(patterns, positions, lengthExponent);
+		   " % at " + placeOfLargest(patterns, positions, assembly.lengthExponent);
 }
 
 } // namespace
@@ -73,7 +90,7 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 		addStrains(results, patterns.report);
 		if (!options.bounds.any())
 			return;
-		call.log(verdict(chosenMaterial(call.values), patterns, positions, assembly.lengthExponent));
+		call.log(verdict(chosenMaterial(call.values), assembly, patterns, positions));
 		for (const std::string& note : patterns.report.notes)
 			call.log(note);
 	} catch (

@@ -32,7 +32,8 @@ void readBounds(const QJsonValue& value, double DirectionBounds::*bound, StrainB
 std::vector<Material> readMaterials() {
 	std::vector<Material> result;
 	const QJsonDocument document = QJsonDocument::fromJson(materialsText());
-	for (const QJsonValue& value : document.object()["materials"].toArray()) {
+	const QJsonArray entries = document.object()["materials"].toArray();
+	for (const QJsonValue& value : entries) {
 		const QJsonObject entry = value.toObject();
 		Material material;
 		material.name = entry["name"].toString().toStdString();

@@ -36,6 +36,11 @@ int threadsAskedFor() {
 	return asked != nullptr ? std::max(0, std::atoi(asked)) : 0;
 }
 
+/// Hosts may have rounded to float what the user typed: stay below that.
+double largestDisplacement(const ParameterValues& values, int lengthExponent) {
+	return inWorkingUnits(lengthExponent, values.number("max_displacement")) * (1 - 1.2e-7);
+}
+
 OptimizationReport runConjugateGradient(const ParameterValues& values, const PatchAssembly& assembly,
 										Positions& positions, const Progress& progress) {
 	PenaltyMethodOptions options;
@@ -53,9 +58,7 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.maxIterations = values.integer("max_iterations");
 	options.smoothness = values.number("smoothness");
 	options.fairness = values.number("fairness");
-	// Hosts may have rounded to float what the user typed: stay below that.
-	options.maxDisplacement =
-		inWorkingUnits(assembly.lengthExponent, values.number("max_displacement")) * (1 - 1.2e-7);
+	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
 	options.threads = threadsAskedFor();
 	return constrainedNewton(assembly, positions, options, progress);
 }
@@ -68,6 +71,9 @@ OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAs
 	options.grain = values.choice<Grain>("grain");
 	options.maxIterations = values.integer("max_iterations");
 	options.smoothness = values.number("smoothness");
+	options.fairness = values.number("fairness");
+	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
+	options.threads = threadsAskedFor();
 	return boundedStrain(assembly, positions, options, progress);
 }
 

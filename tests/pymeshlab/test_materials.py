@@ -133,3 +133,24 @@ def test_bad_bounds_are_refused_and_change_nothing(filter_name, values):
     with pytest.raises(pymeshlab.PyMeshLabException, match="allowed"):
         meshes.apply_filter(filter_name, **values)
     assert state_of(meshes) == before
+
+
+def test_no_vertex_goes_farther_than_it_may_and_bounds_hold_where_they_can():
+    vertices, faces = bump()
+    values = {"allowed_stretch": 1.0, "allowed_compression": 1.0}
+    free = mesh_set((vertices, faces)).apply_filter(GLOBAL, **values)
+    allowed = 0.9 * free["max_displacement"]
+    near = mesh_set((vertices, faces)).apply_filter(
+        GLOBAL, max_displacement=pymeshlab.PureValue(allowed), **values
+    )
+    assert near["max_displacement"] <= allowed
+    if near["converged"]:
+        assert max(near["max_stretch"], near["max_compression"]) < 1.01
+    too_near = 0.1 * free["max_displacement"]
+    beyond = mesh_set((vertices, faces)).apply_filter(
+        GLOBAL, max_displacement=pymeshlab.PureValue(too_near), **values
+    )
+    assert beyond["max_displacement"] <= too_near
+    assert not beyond["converged"]
+    assert beyond["nearest_developable"] == pytest.approx(free["max_displacement"], rel=0.02)
+    assert max(beyond["max_stretch"], beyond["max_compression"]) > 1.01

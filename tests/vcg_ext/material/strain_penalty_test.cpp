@@ -107,6 +107,34 @@ TEST(StrainPenalty, HessianIsSemidefiniteAndKnowsRigidMotions) {
 	EXPECT_LT((hessian * shift).norm(), 1e-9 * hessian.norm());
 }
 
+/// Of a stretched triangle nothing is left out but −p' times the square of the strain's derivative.
+TEST(StrainPenalty, CurvatureOfStretchedShapesIsThatOfTheGradient) {
+	for (const double across :
+		 {1.05, 1.0699, 1.07}) { // principal directions turn the faster, the nearer both are
+		const StretchedTriangle triangle(1.07, across, 0.4);
+		StrainPenalty penalty(triangle.triangles(), StrainBounds::isotropic(0.02, 0.03), 0);
+		penalty.harden(10, 1e-3);
+		const auto along = [&](const Positions& direction, double length) {
+			return direction.reshaped().dot(
+				penalty.element(0, triangle.shaped + length * direction, triangle.flat).gradient.head<9>());
+		};
+		const Eigen::Matrix<double, 15, 15> hessian =
+			penalty.element(0, triangle.shaped, triangle.flat).hessian.selfadjointView<Eigen::Lower>();
+		std::mt19937 random(3);
+		for (int i = 0; i < 20; ++i) {
+			Positions direction(3, 3);
+			for (double& coordinate : direction.reshaped())
+				coordinate = 2.0 * random() / std::mt19937::max() - 1;
+			constexpr double step = 1e-6;
+			const double exact = (along(direction, step) - along(direction, -step)) / (2 * step);
+			const double model =
+				direction.reshaped().dot(hessian.topLeftCorner<9, 9>() * direction.reshaped());
+			EXPECT_GT(model, 0.999 * exact) << across << ' ' << i;
+			EXPECT_LT(model, 1.07 * exact) << across << ' ' << i;
+		}
+	}
+}
+
 TEST(StrainPenalty, IsInfiniteWhereThePatternIsFlipped) {
 	const StretchedTriangle triangle(1, 1, 0);
 	const StrainPenalty penalty(triangle.triangles(), StrainBounds::isotropic(0.1, 0.1), 0);

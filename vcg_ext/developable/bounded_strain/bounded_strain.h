@@ -12,24 +12,28 @@ namespace developable {
 struct BoundedStrainOptions {
 	StrainBounds bounds;              ///< must allow some strain; without any, see constrainedNewton
 	Grain grain = Grain::LongestSeam; ///< of directed bounds
-	double smoothness = 3e-6;         ///< as in ConstrainedNewtonOptions
-	int maxIterations = 200;          ///< steps, each with one linear system
-	double tolerance = 5e-5;          ///< by how much a strain may be beyond its bound
+	double smoothness = 3e-6;         ///< as in ConstrainedNewtonOptions; so are the next two
+	double fairness = 0;
+	double maxDisplacement = -1;
+	int maxIterations = 200; ///< steps, each with one linear system
+	double tolerance = 5e-5; ///< by how much a strain may be beyond its bound
+	int threads = 0;         ///< on which parts are solved side by side; 0: as many as can work
 };
 
 struct BoundedStrainReport : OptimizationReport {
-	double beyondBounds = 0;    ///< by how much a strain is beyond its bound, at most
-	double squaredDistance = 0; ///< ‖d‖²_W, length²
+	double beyondBounds = 0; ///< by how much a strain is beyond its bound, at most
 };
 
 /// Moves the places to the shape nearest to the original ones, in the metric of the constrained Newton
 /// method, that has a flat pattern from which no triangle is stretched or compressed beyond the bounds. Shape
-/// and pattern are unknowns of one problem. Places are those of the object, so seams stay closed.
+/// and pattern are unknowns of one problem. Places are those of the object, so seams stay closed. No place
+/// goes farther than the largest displacement, not by a bit. Parts (see partsOf) are solved each by itself;
+/// the result is the same to the last bit on any number of threads.
 ///
 /// \param positions  3 x places: where to start, and the result; untouched when stopped, and where that fits
 /// \return           Converged; NothingToDo: the start has such a pattern; NeedsCut, or Stalled where places
 ///                   are held still: no such shape was found, and the result is beyond the bounds;
-///                   LimitReached; Stopped
+///                   LimitReached; Stopped. Of several parts the worst tells.
 /// \throws InvalidParameter, ClosedPatch, NonOrientablePatch, PatchWithHandles, NothingFree
 BoundedStrainReport boundedStrain(const PatchAssembly& assembly, Positions& positions,
 								  const BoundedStrainOptions& options, const Progress& progress = {});

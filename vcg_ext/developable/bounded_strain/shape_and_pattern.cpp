@@ -26,18 +26,19 @@ double areaOf(const PatchAssembly& assembly) {
 
 } // namespace
 
-ShapeAndPatternSteps::ShapeAndPatternSteps(const PatchAssembly& assembly, double smoothness,
-										   const StrainPenalty& penalty)
-	: assembly_(assembly), penalty_(penalty), metric_(displacementMetric(assembly, smoothness)),
-	  order_(assembly), area_(areaOf(assembly)) {}
+ShapeAndPatternSteps::ShapeAndPatternSteps(const PatchAssembly& assembly, const Nearness& nearness,
+										   const DisplacementBound& bound, const StrainPenalty& penalty)
+	: assembly_(assembly), nearness_(nearness), bound_(bound), penalty_(penalty), order_(assembly),
+	  area_(areaOf(assembly)) {}
 
 double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
-	const Eigen::MatrixXd d = (shape - assembly_.originalPositions).transpose();
-	return d.cwiseProduct(metric_.selfadjointView<Eigen::Lower>() * d).sum();
+	const Eigen::MatrixXd d = (shape - nearness_.aim).transpose();
+	return d.cwiseProduct(nearness_.metric.selfadjointView<Eigen::Lower>() * d).sum();
 }
 
 double ShapeAndPatternSteps::value(const ShapeAndPattern& unknowns) const {
-	return squaredDistance(unknowns.shape) / (2 * area_) + penalty_.value(unknowns.shape, unknowns.pattern);
+	return squaredDistance(unknowns.shape) / (2 * area_) + bound_.value(penalty_.edge(), unknowns.shape) +
+		   penalty_.value(unknowns.shape, unknowns.pattern);
 }
 
 double ShapeAndPatternSteps::step(ShapeAndPattern& unknowns) {
@@ -70,8 +71,10 @@ Eigen::VectorXd ShapeAndPatternSteps::direction(const ShapeAndPattern& unknowns,
 	const int size = shapeSize + static_cast<int>(unknowns.pattern.size());
 	gradient = Eigen::VectorXd::Zero(size);
 	Entries entries;
-	entries.reserve(3 * metric_.nonZeros() + 120 * penalty_.triangles().count() + size);
+	entries.reserve(3 * nearness_.metric.nonZeros() + 6 * assembly_.placeCount() +
+					120 * penalty_.triangles().count() + size);
 	addMetric(unknowns.shape, gradient, entries);
+	addBound(unknowns.shape, gradient, entries);
 	for (int t = 0; t < penalty_.triangles().count(); ++t)
 		addElement(t, penalty_.element(t, unknowns.shape, unknowns.pattern), gradient, entries);
 	solvable_ = factorize(whole_, size, entries, shapeSize);
@@ -80,16 +83,29 @@ Eigen::VectorXd ShapeAndPatternSteps::direction(const ShapeAndPattern& unknowns,
 
 void ShapeAndPatternSteps::addMetric(const Positions& shape, Eigen::VectorXd& gradient,
 									 Entries& entries) const {
-	const Eigen::MatrixXd d = (shape - assembly_.originalPositions).transpose();
-	const Positions force = (metric_.selfadjointView<Eigen::Lower>() * d).transpose() / area_;
+	const Eigen::MatrixXd d = (shape - nearness_.aim).transpose();
+	const Positions force = (nearness_.metric.selfadjointView<Eigen::Lower>() * d).transpose() / area_;
 	for (int place = 0; place < assembly_.placeCount(); ++place)
 		if (!assembly_.placeFixed[place])
 			gradient.segment<3>(3 * place) = force.col(place);
-	for (int column = 0; column < metric_.cols(); ++column)
-		for (SparseMatrix::InnerIterator entry(metric_, column); entry; ++entry)
+	for (int column = 0; column < nearness_.metric.cols(); ++column)
+		for (SparseMatrix::InnerIterator entry(nearness_.metric, column); entry; ++entry)
 			for (int axis = 0; axis < 3; ++axis)
 				entries.emplace_back(3 * static_cast<int>(entry.row()) + axis, 3 * column + axis,
 									 entry.value() / area_);
+}
+
+void ShapeAndPatternSteps::addBound(const Positions& shape, Eigen::VectorXd& gradient,
+									Entries& entries) const {
+	for (int place = 0; place < assembly_.placeCount(); ++place) {
+		if (assembly_.placeFixed[place])
+			continue;
+		gradient.segment<3>(3 * place) += bound_.gradient(penalty_.edge(), shape, place);
+		const Eigen::Matrix3d block = bound_.hessian(penalty_.edge(), shape, place);
+		for (int row = 0; row < 3; ++row)
+			for (int column = 0; column <= row; ++column)
+				entries.emplace_back(3 * place + row, 3 * place + column, block(row, column));
+	}
 }
 
 void ShapeAndPatternSteps::addElement(int triangle, const StrainPenalty::Element& element,

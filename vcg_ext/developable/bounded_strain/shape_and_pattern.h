@@ -2,6 +2,8 @@
 // shape_and_pattern.h: Newton steps that move a shape and its pattern together.
 #pragma once
 
+#include "displacement_bound.h"
+
 #include "developable/linear/linear.h"
 #include "developable/material/material.h"
 #include "developable/newton/constrained_newton.h"
@@ -14,17 +16,18 @@ struct ShapeAndPattern {
 	Eigen::Matrix2Xd pattern; ///< 2 x vertices of the patterns
 };
 
-/// Steps that lower φ = ½‖d‖²_W / A + Ψ, A being the object's area and Ψ the cost of strain. The pattern
+/// Steps that lower φ = ½‖x − x*‖²_W / A + Ψ + Σ m p(|d| / r − 1), A being the object's area, x* what the
+/// shape is to be near, Ψ the cost of strain, and the sum that of moving too far. The pattern
 /// turns far for small strains, where linear steps go wrong; so after each trial step it settles by itself.
 class ShapeAndPatternSteps {
 public:
-	/// \param smoothness  α of the metric W
-	ShapeAndPatternSteps(const PatchAssembly& assembly, double smoothness, const StrainPenalty& penalty);
+	ShapeAndPatternSteps(const PatchAssembly& assembly, const Nearness& nearness,
+						 const DisplacementBound& bound, const StrainPenalty& penalty);
 
 	/// \return the decrease of φ that the quadratic model promised, as a share; 0 where no step was any good
 	double step(ShapeAndPattern& unknowns);
 
-	/// ‖d‖²_W, length².
+	/// ‖x − x*‖²_W, length².
 	double squaredDistance(const Positions& shape) const;
 
 	/// Whether the last step's system could be solved.
@@ -36,6 +39,7 @@ private:
 	double value(const ShapeAndPattern& unknowns) const;
 	Eigen::VectorXd direction(const ShapeAndPattern& unknowns, Eigen::VectorXd& gradient);
 	void addMetric(const Positions& shape, Eigen::VectorXd& gradient, Entries& entries) const;
+	void addBound(const Positions& shape, Eigen::VectorXd& gradient, Entries& entries) const;
 	void addElement(int triangle, const StrainPenalty::Element& element, Eigen::VectorXd& gradient,
 					Entries& entries) const;
 	bool factorize(SparseCholesky& factorization, int size, Entries& entries, int firstOfPattern) const;
@@ -45,8 +49,9 @@ private:
 	bool settleOnce(ShapeAndPattern& unknowns, double& value);
 
 	const PatchAssembly& assembly_;
+	const Nearness& nearness_;
+	const DisplacementBound& bound_;
 	const StrainPenalty& penalty_;
-	const SparseMatrix metric_;
 	const TriangleOrder order_;
 	const double area_;
 	SparseCholesky whole_, pattern_;

@@ -27,19 +27,20 @@ public:
 	BoundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
 				  Grain grain, const std::array<int, 2>& longestSide)
 		: panel_(panel), grain_(grain), longestSide_(longestSide), springs_(panel),
-		  penalty_(trianglesOf(panel), bounds, 0), hessian_(springs_.hessianPattern()), positions_(start) {
+		  penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
+		  hessian_(springs_.hessianPattern()), positions_(start) {
 		takeGrain();
 	}
 
 	PlanePositions solve() {
-		if (violation() <= shareOfTolerance * strainTolerance)
+		if (violation() <= shareOfTolerance * patternTolerance)
 			return positions_;
 		Hardening hardening(penalty_);
 		int idle = 0, steps = 0; // no good in all, and with the same stiffness
 		for (int i = 0; i < mostSteps; ++i) {
 			takeGrain();
 			const double decrease = step();
-			if (decrease < settled && violation() <= shareOfTolerance * strainTolerance)
+			if (decrease < settled && violation() <= shareOfTolerance * patternTolerance)
 				break;
 			if (decrease == 0) {
 				if (++idle == patience)
@@ -71,7 +72,7 @@ private:
 	double violation() const { return penalty_.violations(panel_.positions, positions_).maxCoeff(); }
 
 	double energy(const PlanePositions& x) const {
-		return springs_.guardedEnergy(x) + springs_.scale() * penalty_.value(panel_.positions, x);
+		return springs_.guardedEnergy(x) + scale_ * penalty_.value(panel_.positions, x);
 	}
 
 	/// \return the decrease that the quadratic model promised, as a share; 0 where no step was any good
@@ -101,12 +102,12 @@ private:
 		const StrainPenalty::FlatElement element = penalty_.flatElement(t, panel_.positions, positions_);
 		const auto corners = panel_.triangles.col(t);
 		for (int row = 0; row < 3; ++row) {
-			gradient.col(corners[row]) += springs_.scale() * element.gradient.segment<2>(2 * row);
+			gradient.col(corners[row]) += scale_ * element.gradient.segment<2>(2 * row);
 			for (int column = 0; column <= row; ++column) {
 				Eigen::Matrix2d block = element.hessian.block<2, 2>(2 * row, 2 * column);
 				if (row == column)
 					block(0, 1) = block(1, 0);
-				hessian_.add(corners[row], corners[column], springs_.scale() * block);
+				hessian_.add(corners[row], corners[column], scale_ * block);
 			}
 		}
 	}
@@ -116,6 +117,7 @@ private:
 	const std::array<int, 2> longestSide_;
 	PlaneSprings springs_;
 	StrainPenalty penalty_;
+	const double scale_;
 	PlaneHessian hessian_;
 	SparseCholesky factorization_; // CG on an old factor would not do while bounds harden
 	PlanePositions positions_;

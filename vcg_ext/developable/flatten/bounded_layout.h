@@ -7,9 +7,6 @@
 
 namespace developable::detail {
 
-/// By how much a strain may be beyond its bound.
-constexpr double strainTolerance = 1e-4;
-
 /// From a layout without flipped triangles to the one of least Σ (flattened length − length)² among those
 /// within the bounds, or, where there is none, to one that exceeds them little.
 /// \param longestSide  vertices of the panel; see grainDirection

@@ -151,7 +151,7 @@ void measurePatterns(const PatchAssembly& assembly, const Positions& model, Flat
 		report.flippedFaces += piece.flippedFaces;
 		report.overlappingPieces += piece.overlapping;
 		addNotes(number, piece, report.notes);
-		if (piece.beyondBounds > detail::strainTolerance)
+		if (piece.beyondBounds > patternTolerance)
 			addNoteOfBounds(assembly, model, number, piece, report.notes);
 	}
 	patterns.seams = findSeams(assembly, patterns);

@@ -7,6 +7,7 @@
 
 #include "bending_radius.h"
 #include "hardening.h"
+#include "rounded_penalty.h"
 #include "strain_bounds.h"
 #include "strain_penalty.h"
 #include "triangle_strain.h"

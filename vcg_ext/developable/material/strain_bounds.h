@@ -4,6 +4,9 @@
 
 namespace developable {
 
+/// By how much a strain of a pattern may be beyond its bound and still counts as within it.
+constexpr double patternTolerance = 1e-4;
+
 /// Shares of length: 0.02 is two per cent.
 struct DirectionBounds {
 	double stretch = 0;

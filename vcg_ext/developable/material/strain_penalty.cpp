@@ -42,6 +42,17 @@ Eigen::Matrix<double, size, 1> derivativesOfPattern(const Eigen::Matrix2d& m) {
 	return result;
 }
 
+/// What the second derivatives gain because the principal directions turn with the shear between them, as a
+/// factor of the squared derivative of that shear: with s₁ = σ1², s₂ = σ2² and the derivatives p₁', p₂' of
+/// the cost by the strains, (p₁'/s₁ − p₂'/s₂) / (s₁ − s₂), never negative.
+double gainOfTurning(const TriangleStrain& strain, double firstSlope, double secondSlope, double curvature) {
+	const double s1 = strain.greatest * strain.greatest, s2 = strain.least * strain.least;
+	constexpr double sameStrains = 1e-7; // the limit serves where the quotient would be rounding
+	const double gain = s1 - s2 > sameStrains * s1 ? (firstSlope / s1 - secondSlope / s2) / (s1 - s2)
+												   : (curvature / 2 - firstSlope) / (s1 * s1);
+	return std::max(gain, 0.0);
+}
+
 } // namespace
 
 StrainPenalty::StrainPenalty(StrainedTriangles triangles, const StrainBounds& bounds, double elasticity)
@@ -82,10 +93,9 @@ StrainPenalty::Slope StrainPenalty::slope(const Direction& direction, double str
 	if (!direction.bounded)
 		return slope;
 	const auto add = [&](double c, double sign) {
-		const double root = std::sqrt(c * c + width_ * width_);
-		slope.value += stiffness_ / 4 * (c * (c + root) + width_ * width_ * std::asinh(c / width_));
-		slope.first += sign * stiffness_ / 2 * (c + root);
-		slope.second += stiffness_ / 2 * (1 + c / root);
+		slope.value += edge_.value(c);
+		slope.first += sign * edge_.first(c);
+		slope.second += edge_.second(c);
 	};
 	add(strain - direction.greatest, 1);
 	add(direction.least - strain, -1);
@@ -126,7 +136,16 @@ StrainPenalty::Derivatives<size> StrainPenalty::derivatives(int t, const Positio
 	const auto add = [&](const Row& row, double second) {
 		element.hessian.template selfadjointView<Eigen::Lower>().rankUpdate(row, second);
 	};
-	for (const Direction& direction : directions(t, triangle)) {
+	const Directions all = directions(t, triangle);
+	if (!bounds_.directed) {
+		const Slope first = slope(all.items[0], std::log(triangle.greatest)),
+					second = slope(all.items[1], std::log(triangle.least));
+		const double gain = gainOfTurning(triangle, first.first, second.first, first.second);
+		const Eigen::Vector2d v = triangle.greatestDirection, across(-v[1], v[0]);
+		const Eigen::Matrix2d shear = v * across.transpose() + across * v.transpose();
+		add(derivativesOfMap<size>(triangle, triangle.map * shear), triangles_.weights[t] * gain);
+	}
+	for (const Direction& direction : all) {
 		const Eigen::Vector3d image = triangle.map * direction.vector;
 		const double length = image.norm();
 		const Eigen::Vector3d unit = image / length;

@@ -2,6 +2,7 @@
 // strain_penalty.h: what it costs to leave the bounds, with its derivatives by both shape and pattern.
 #pragma once
 
+#include "rounded_penalty.h"
 #include "strain_bounds.h"
 #include "triangle_strain.h"
 
@@ -25,10 +26,9 @@ struct StrainedTriangles {
 
 /// The cost Ψ of strains e = log |F v| along unit vectors v of the pattern: those of the singular values, or
 /// warp, weft and both diagonals. With bounds l ≤ e ≤ h and a triangle's weight w,
-///     Ψ = Σ w (γ/2 e² + p(e − h) + p(l − e)),     p'(c) = κ/2 (c + √(c² + δ²)),
-/// which is a quadratic penalty κ/2 c₊² whose edge is rounded over the width δ, so that Newton's method sees
-/// bounds coming. The little elastic energy makes the pattern unique where no bound is touched. Second
-/// derivatives leave out what would make them indefinite.
+///     Ψ = Σ w (γ/2 e² + p(e − h) + p(l − e))
+/// with the RoundedPenalty p. The little elastic energy makes the pattern unique where no bound is touched.
+/// Second derivatives count that principal directions turn, and leave out what would make them indefinite.
 class StrainPenalty {
 public:
 	/// Derivatives by so many coordinates.
@@ -51,10 +51,10 @@ public:
 
 	/// \param stiffness  κ
 	/// \param width      δ, a strain
-	void harden(double stiffness, double width) {
-		stiffness_ = stiffness;
-		width_ = width;
-	}
+	void harden(double stiffness, double width) { edge_ = {stiffness, width}; }
+
+	/// p as it is now.
+	const RoundedPenalty& edge() const { return edge_; }
 
 	/// Infinite where a triangle of the pattern is flipped.
 	double value(const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
@@ -93,7 +93,7 @@ private:
 	StrainedTriangles triangles_;
 	const StrainBounds bounds_;
 	const double elasticity_;
-	double stiffness_ = 1, width_ = 1e-3;
+	RoundedPenalty edge_;
 };
 
 /// The strains of every triangle. \return 2 x triangles: σ1, σ2

@@ -2,6 +2,7 @@
 // constrained_newton.h: the nearest developable shape: g = 0 in every patch, at minimum deformation (Eq. 6).
 #pragma once
 
+#include "coarser_level.h"
 #include "developable/mesh/mesh.h"
 #include "displacement_metric.h"
 #include "newton_tuning.h"

@@ -3,6 +3,7 @@
 #include "displacement_metric.h"
 
 #include "bending_metric.h"
+#include "newton_problem.h"
 #include "soundness.h"
 
 namespace developable {
@@ -12,6 +13,19 @@ SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness
 	return detail::BendingMatrix(assembly, detail::placeMasses(assembly), smoothnesses,
 								 NewtonTuning().borderStiffness)
 		.lower();
+}
+
+Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairness) {
+	if (fairness == 0)
+		return {displacementMetric(assembly, smoothness), assembly.originalPositions};
+	detail::NewtonProblem problem(assembly, {}, NewtonTuning(), 0, fairness, smoothness);
+	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness));
+	return {problem.metric().matrix(), problem.aim()};
+}
+
+double farthestAllowed(const PatchAssembly& part, double maxDisplacement) {
+	constexpr double byDefault = 0.15;
+	return maxDisplacement < 0 ? byDefault * boxDiagonal(part.originalPositions) : maxDisplacement;
 }
 
 class TriangleOrder::Comparison : public detail::Soundness {

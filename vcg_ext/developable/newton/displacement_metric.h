@@ -13,6 +13,18 @@ namespace developable {
 /// \param smoothness  α, without unit
 SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness);
 
+/// What a shape is to be near, and in what metric. \see NewtonProblem
+struct Nearness {
+	SparseMatrix metric; ///< as displacementMetric has it
+	Positions aim;       ///< 3 x places: the original, with waves smoothed away where fairness asks for it
+};
+
+/// \param fairness  0 to 1, as in ConstrainedNewtonOptions
+Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairness);
+
+/// How far places may go: what was asked for, or 15 % of the diagonal of the part where that is negative.
+double farthestAllowed(const PatchAssembly& part, double maxDisplacement);
+
 /// Whether no triangle is flipped, and none has become a sliver, compared with the original.
 class TriangleOrder {
 public:

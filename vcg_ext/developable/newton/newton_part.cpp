@@ -11,8 +11,6 @@ namespace {
 /// Of the work, as far as one can tell: what all patches together take before some are frozen.
 constexpr double shareOfAllTogether = 0.7;
 
-constexpr double farthestByDefault = 0.15; ///< share of the part's diagonal
-
 NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStrategy& strategy,
 					const Progress& progress) {
 	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
@@ -72,8 +70,7 @@ void keepNear(const Positions& original, double farthest, const Positions& start
 PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 					  const ConstrainedNewtonOptions& options, const Progress& progress) {
 	const Positions& original = part.originalPositions;
-	const double farthest =
-		options.maxDisplacement < 0 ? farthestByDefault * boxDiagonal(original) : options.maxDisplacement;
+	const double farthest = farthestAllowed(part, options.maxDisplacement);
 	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance, farthest};
 	const bool startsNear = (start - original).colwise().norm().maxCoeff() <= farthest;
 	PartOutcome result;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bounded_run.cpp: steps, and when bounds harden between them.
+#include "bounded_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace developable::detail {
+
+namespace {
+
+constexpr double elasticity = 1e-4;      // γ: too little to be seen in the shape
+constexpr double slow = 0.9;             // decrease of φ that a step must promise, or the bounds harden
+constexpr double settledDecrease = 0.02; // of φ, and of the distance: less means that the nearest is found
+constexpr double settledDistance = 0.005;
+constexpr int patience = 8; // steps that were no good
+// Where bounds can be kept, violations fall nearly as stiffness grows; else they come to an end.
+constexpr std::size_t hopelessHardenings = 4;
+constexpr double hopelessShare = 0.7; // of the violation so many hardenings, 256 times the stiffness, before
+
+bool hopeless(const std::vector<double>& violations) {
+	return violations.size() > hopelessHardenings &&
+		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
+}
+
+} // namespace
+
+BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
+					   const BoundedStrainOptions& options, double farthest, double firstStiffness,
+					   const Progress& progress)
+	: assembly_(assembly), patterns_(patterns), options_(options), progress_(progress),
+	  firstStiffness_(firstStiffness), nearness_(nearness(assembly, options.smoothness, options.fairness)),
+	  bound_(assembly, farthest),
+	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
+	  steps_(assembly, nearness_, bound_, penalty_), unknowns_{start, patterns.positions} {}
+
+BoundedEnding BoundedRun::run() {
+	Hardening hardening(penalty_, firstStiffness_);
+	const double startViolation = violation();
+	double distance = 0;
+	std::vector<double> violations; // before each hardening
+	for (int idle = 0; idle < patience;) {
+		if (iterations_ >= options_.maxIterations)
+			return BoundedEnding::OutOfSteps;
+		if (!mayGoOn(startViolation))
+			return BoundedEnding::Stopped;
+		++iterations_;
+		takeGrain();
+		const double decrease = steps_.step(unknowns_);
+		if (!steps_.solvable())
+			return BoundedEnding::Stuck;
+		const double before = distance;
+		distance = steps_.squaredDistance(unknowns_.shape);
+		const bool settled =
+			decrease < settledDecrease && std::abs(distance - before) <= settledDistance * distance;
+		if (settled && violation() <= options_.tolerance)
+			return BoundedEnding::Within;
+		if (decrease == 0) {
+			hardening.soften();
+			violations.clear();
+			++idle;
+		} else if (decrease < slow) {
+			violations.push_back(violation());
+			if (hopeless(violations) || (!hardening.harden() && settled))
+				return BoundedEnding::Stuck;
+		}
+	}
+	return violation() <= options_.tolerance ? BoundedEnding::Within : BoundedEnding::Stuck;
+}
+
+double BoundedRun::violation() const {
+	return penalty_.violations(unknowns_.shape, unknowns_.pattern).maxCoeff();
+}
+
+void BoundedRun::takeGrain() {
+	if (options_.bounds.directed)
+		penalty_.setGrain(
+			grainOfTriangles(assembly_, unknowns_.shape, patterns_, penalty_.triangles(), unknowns_.pattern));
+}
+
+bool BoundedRun::mayGoOn(double startViolation) const {
+	const double left = violation();
+	char text[120];
+	std::snprintf(text, sizeof text, "%d steps: strains are at most %.3g %% beyond their bounds", iterations_,
+				  100 * left);
+	// The violation falls by orders of magnitude, which are what takes time.
+	const double done = std::log(std::max(left, options_.tolerance) / startViolation) /
+						std::log(std::min(options_.tolerance / startViolation, 0.5));
+	return developable::mayGoOn(progress_, std::clamp(done, 0.0, 1.0), text);
+}
+
+} // namespace developable::detail
