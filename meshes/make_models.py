@@ -10,6 +10,8 @@
 | shoe_upper   | Example II: the upper of a shoe, one layer, open at the sole, the top, the heel |
 | short_pants  | Example III: short pants, four panels whose seams coincide, one T-junction      |
 | hull_panel   | not in the paper: a panel of a dinghy, from the side of Wigley's hull           |
+| toy          | to be cut into panels: a stuffed bear, one closed surface                       |
+| seat         | to be cut into panels: a car seat, one closed surface                           |
 
 Each comes as OBJ, with the panels' names, and as PLY: MeshLab 2020.09 as Debian builds it stops at every OBJ.
 One unit is a centimetre. Needs NumPy only. The same bytes come out of every run.
@@ -23,9 +25,11 @@ from pathlib import Path
 import numpy as np
 from bent_sheet import dented_shell, sheet_bent
 from hull_panel import hull_panel
+from seat import seat
 from shapes import Panels
 from shoe_upper import shoe_upper
 from short_pants import short_pants
+from toy import toy
 
 MODELS = {
     "sheet_bent": sheet_bent,
@@ -33,6 +37,8 @@ MODELS = {
     "shoe_upper": shoe_upper,
     "short_pants": short_pants,
     "hull_panel": hull_panel,
+    "toy": toy,
+    "seat": seat,
 }
 
 
