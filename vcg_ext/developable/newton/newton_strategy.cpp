@@ -156,7 +156,8 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 	NewtonProblem problem = problemOf(level);
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
-	const bool hemmedIn = holdsPlaces(assembly) || outcome.nearestDevelopable > 0;
+	const bool hemmedIn =
+		tuning_.leastSquares > 0 && (holdsPlaces(assembly) || outcome.nearestDevelopable > 0);
 	if (outcome.ending != Ending::Stuck || !hemmedIn || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));

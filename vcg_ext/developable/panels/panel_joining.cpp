@@ -18,8 +18,8 @@ constexpr double smallShare = 0.15; ///< of a patch's area
 
 class Joining {
 public:
-	Joining(CutSurface& surface, PanelTests& tests, const SewnExcess& excess)
-		: surface_(surface), tests_(tests), sewn_(surface, excess) {}
+	Joining(CutSurface& surface, PanelTests& tests, JoinHistory& history)
+		: surface_(surface), tests_(tests), history_(history) {}
 
 	void run() {
 		const double first = static_cast<double>(seamChains(surface_).size());
@@ -92,21 +92,23 @@ private:
 			trials.push_back(trialOf(chain));
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)
-			if (!verdicts[i].flat || !verdicts[i].disk || !sewn_.join(batch[i].halfEdges))
+			if (verdicts[i].flat && verdicts[i].disk && !history_.wasTakenBack(trials[i].panel.face))
+				history_.join(surface_, batch[i].halfEdges);
+			else
 				failures_.insert(failureOf(batch[i]));
 	}
 
 	CutSurface& surface_;
 	PanelTests& tests_;
-	SewnJoining sewn_;
+	JoinHistory& history_;
 	std::set<Failure> failures_;
 	int left_ = 0;
 };
 
 } // namespace
 
-void joinPanels(CutSurface& surface, PanelTests& tests, const SewnExcess& excess) {
-	Joining(surface, tests, excess).run();
+void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history) {
+	Joining(surface, tests, history).run();
 }
 
 bool SewnJoining::join(const std::vector<int>& halfEdges) {

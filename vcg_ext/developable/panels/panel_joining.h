@@ -2,6 +2,7 @@
 // panel_joining.h: panels are joined across their seams, the longest first, as long as that makes panels.
 #pragma once
 
+#include "join_history.h"
 #include "panel_tests.h"
 #include "seam_chains.h"
 
@@ -27,8 +28,8 @@ private:
 	double before_ = -1; // not known
 };
 
-/// Joins panels across whole seams, greedily: those whose union is a panel, by itself and sewn to the others.
-void joinPanels(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);
+/// Joins panels across whole seams, greedily: those whose union is a panel by itself.
+void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history);
 
 /// Where a whole seam can't go, a long part of it does, from one of its ends on; the rest stays as a dart.
 void joinWithDarts(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);

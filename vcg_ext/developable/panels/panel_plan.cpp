@@ -17,10 +17,9 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double defaultDisplacement = 0.02;  ///< of the diagonal of a part
-constexpr double shareBeforeSmoothing = 0.92; ///< of the displacement: seams that move take some of it
-constexpr double spreads[] = {1.5, 0.7};      ///< of seams that are drawn, the same
-constexpr double smoothing = 1.5;             ///< how far labels spread, in mean edge lengths
+constexpr double defaultDisplacement = 0.02; ///< of the diagonal of a part
+constexpr double spreads[] = {1.5, 0.7};     ///< of seams that are drawn, the same
+constexpr double smoothing = 1.5;            ///< how far labels spread, in mean edge lengths
 
 int countPanels(const CutSurface& surface) {
 	int count = 0;
@@ -36,13 +35,12 @@ double excess(const CutPanel& panel) {
 	return panel.maxDisplacement * (1 + panel.curvatureAfter);
 }
 
-/// What a cut is judged by: the length of its seams, and of a panel as much as a seam of so much.
-double cost(const CutSurface& surface) {
-	constexpr double panelShare = 0.25; // of the diagonal
-	double length = panelShare * boxDiagonal(surface.positions()) * countPanels(surface);
-	for (const SeamChain& chain : seamChains(surface))
-		length += chain.length;
-	return length;
+/// The panel that holds least, of those that do not; -1: all hold.
+int worstOf(const SewnPanels& sewn) {
+	const auto worst =
+		std::max_element(sewn.panels.begin(), sewn.panels.end(),
+						 [](const CutPanel& a, const CutPanel& b) { return excess(a) < excess(b); });
+	return excess(*worst) > 0 ? static_cast<int>(worst - sewn.panels.begin()) : -1;
 }
 
 /// Of the sides of different patches that have both ends in common, length.
@@ -256,24 +254,6 @@ Progress PanelPlan::progressOfRest() {
 	return [this](double, const std::string&) { return tests_->mayGoOn(0.7, "sewing the panels together"); };
 }
 
-/// Smooth seams move a little. Where that spoils more than it gains they move less, or not at all.
-void PanelPlan::smoothSeams() {
-	const CutSurface before = *surface_;
-	const TriangleMesh meshBefore = mesh_;
-	const std::vector<VertexOrigin> originsBefore = origins_;
-	for (const double spread : spreads) {
-		drawSmoothSeams(spread);
-		tests_->relax(1 / shareBeforeSmoothing);
-		divideUntilFlat();
-		tests_->relax(shareBeforeSmoothing);
-		if (tests_->stopped() || cost(*surface_) <= cost(before))
-			return;
-		*surface_ = before;
-		mesh_ = meshBefore;
-		origins_ = originsBefore;
-	}
-}
-
 /// Seams between the same two panels, or the slit of one, need clusters as labels: these say which chains of
 /// the new seams go.
 void PanelPlan::drawSmoothSeams(double edges) {
@@ -302,13 +282,67 @@ void PanelPlan::drawSmoothSeams(double edges) {
 	surface_ = std::move(drawn);
 }
 
+/// Panels that hold by themselves may not when they are sewn together with smooth seams: then the last join
+/// of the worst is taken back, and its halves may go to others.
+void PanelPlan::joinUntilAllHold() {
+	constexpr int rounds = 12;
+	for (int round = 1; !tests_->stopped(); ++round) {
+		joinPanels(*surface_, *tests_, history_);
+		if (tests_->stopped() || seamChains(*surface_).empty())
+			return;
+		const CutSurface joined = *surface_;
+		const TriangleMesh meshBefore = mesh_;
+		const std::vector<VertexOrigin> originsBefore = origins_;
+		const SewnPanels sewn = smoothSeams();
+		const int worst = worstOf(sewn);
+		if (worst < 0 || round == rounds || tests_->stopped())
+			return;
+		const int panel = panelBefore(joined, meshBefore, worst);
+		CutSurface divided = joined;
+		if (!history_.takeBack(divided, panel))
+			return;
+		*surface_ = std::move(divided);
+		mesh_ = meshBefore;
+		origins_ = originsBefore;
+	}
+}
+
+/// The panel of a surface that was there before faces were split which has most of a panel that is there now.
+int PanelPlan::panelBefore(const CutSurface& before, const TriangleMesh& meshBefore, int panel) const {
+	std::map<int, int> triangleOfFace;
+	for (int t = 0; t < meshBefore.triangleCount(); ++t)
+		triangleOfFace[meshBefore.face[t]] = t;
+	std::map<int, double> areas;
+	for (const int t : surface_->trianglesOf(panel))
+		areas[before.panelOf(triangleOfFace.at(mesh_.face[t]))] += surface_->areas()[t];
+	return std::max_element(areas.begin(), areas.end(),
+							[](const auto& a, const auto& b) { return a.second < b.second; })
+		->first;
+}
+
+/// Smooth seams move a little. Where that spoils what would hold they move less.
+SewnPanels PanelPlan::smoothSeams() {
+	const CutSurface before = *surface_;
+	const TriangleMesh meshBefore = mesh_;
+	const std::vector<VertexOrigin> originsBefore = origins_;
+	SewnPanels sewn;
+	for (const double spread : spreads) {
+		*surface_ = before;
+		mesh_ = meshBefore;
+		origins_ = originsBefore;
+		drawSmoothSeams(spread);
+		sewn = sewTogether(1, true);
+		const bool sameCount = countPanels(*surface_) <= countPanels(before);
+		if (tests_->stopped() || (sameCount && worstOf(sewn) < 0))
+			break;
+	}
+	return sewn;
+}
+
 CutResult PanelPlan::run() {
 	makeClusters();
 	clusters_ = surface_->panels();
-	if (!tests_->stopped())
-		joinPanels(*surface_, *tests_, excessBeyond(shareBeforeSmoothing));
-	if (!tests_->stopped() && !seamChains(*surface_).empty())
-		smoothSeams();
+	joinUntilAllHold();
 	if (!tests_->stopped() && options_.darts && options_.splitTriangles)
 		joinWithDarts(*surface_, *tests_, excessBeyond(1));
 	SewnPanels sewn = divideUntilAllHold();
@@ -328,7 +362,7 @@ void PanelPlan::joinToSoFew() {
 	constexpr int doublings = 4;
 	for (int i = 0; i < doublings && !tests_->stopped() && countPanels(*surface_) > options_.maxPanels; ++i) {
 		tests_->relax(2);
-		joinPanels(*surface_, *tests_, excessBeyond(1));
+		joinPanels(*surface_, *tests_, history_);
 		if (options_.darts && options_.splitTriangles)
 			joinWithDarts(*surface_, *tests_, excessBeyond(1));
 	}

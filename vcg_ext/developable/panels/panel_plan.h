@@ -35,7 +35,9 @@ private:
 	SewnPanels sewTogether(double share, bool brief);
 	SewnExcess excessBeyond(double share);
 	SewnPanels divideUntilAllHold();
-	void smoothSeams();
+	void joinUntilAllHold();
+	int panelBefore(const CutSurface& before, const TriangleMesh& meshBefore, int panel) const;
+	SewnPanels smoothSeams();
 	void drawSmoothSeams(double edges);
 	Progress progressOfRest();
 
@@ -51,6 +53,7 @@ private:
 	std::unique_ptr<CutSurface> surface_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
+	JoinHistory history_;
 };
 
 } // namespace developable::detail

@@ -23,11 +23,16 @@ bool isSheet(const PatchAssembly& assembly) {
 		   assembly.interiorCopyCount() < assembly.copyCount();
 }
 
-/// Long runs are for shapes that a user asks for: what a panel needs is near.
-ConstrainedNewtonOptions briefRun() {
+/// Long runs are for shapes that a user asks for: what a panel needs is near. Borders may kink: they still
+/// are jagged, and smooth ones need less.
+ConstrainedNewtonOptions briefRun(double maxDisplacement) {
 	ConstrainedNewtonOptions options;
-	options.maxIterations = 30;
+	options.maxIterations = 60;
+	options.maxDisplacement = maxDisplacement;
 	options.tuning.attempts = 1;
+	options.tuning.limitedSteps = 0;
+	options.tuning.leastSquares = 0;
+	options.tuning.returnReach = 1.5; // farther shapes have hardly ever one within the limit near them
 	return options;
 }
 
@@ -58,7 +63,8 @@ PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, cons
 	verdict.disk = isDisk(assembly);
 	Positions positions = assembly.originalPositions;
 	verdict.worstPoint = worstPoint(assembly, positions);
-	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, briefRun(), progress);
+	const ConstrainedNewtonReport report =
+		constrainedNewton(assembly, positions, briefRun(limits.maxDisplacement), progress);
 	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
 	verdict.maxDisplacement = moves.maxCoeff();
 	verdict.meanDisplacement = moves.mean();

@@ -6,7 +6,7 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double shareAlone = 0.85;    ///< of the greatest displacement: what a panel may need by itself
+constexpr double shareAlone = 0.75;    ///< of the greatest displacement: what a panel may need by itself
 constexpr double meanOfGreatest = 0.3; ///< mean displacement as a share of the greatest
 
 } // namespace
