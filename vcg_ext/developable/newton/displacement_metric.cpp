@@ -3,7 +3,7 @@
 #include "displacement_metric.h"
 
 #include "bending_metric.h"
-#include "newton_problem.h"
+#include "fair_shape.h"
 #include "soundness.h"
 
 namespace developable {
@@ -18,9 +18,9 @@ SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness
 Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairness) {
 	if (fairness == 0)
 		return {displacementMetric(assembly, smoothness), assembly.originalPositions};
-	detail::NewtonProblem problem(assembly, {}, NewtonTuning(), 0, fairness, smoothness);
-	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness));
-	return {problem.metric().matrix(), problem.aim()};
+	const double shapeSmoothness = detail::shapeSmoothness(fairness);
+	const PatchAssembly fair = detail::fairShape(assembly, shapeSmoothness, {}, NewtonTuning(), 0);
+	return {displacementMetric(fair, smoothness + shapeSmoothness), fair.originalPositions};
 }
 
 double farthestAllowed(const PatchAssembly& part, double maxDisplacement) {

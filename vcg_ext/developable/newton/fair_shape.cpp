@@ -29,6 +29,10 @@ Positions step(const PatchAssembly& shape, const PatchAssembly& original, double
 
 } // namespace
 
+double shapeSmoothness(double fairness) {
+	return std::pow(fairness / (2 * pi), 4);
+}
+
 PatchAssembly fairShape(const PatchAssembly& assembly, double shapeSmoothness, const CurvatureGoal& goal,
 						const NewtonTuning& tuning, double memoryLimit) {
 	NewtonTuning withoutRods = tuning; // seams go where their panels want them

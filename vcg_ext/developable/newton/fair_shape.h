@@ -7,6 +7,9 @@
 
 namespace developable::detail {
 
+/// φ of a fairness f: waves shorter than f times the root of their patch's area are smoothed away.
+double shapeSmoothness(double fairness);
+
 /// The assembly with other original positions x, of which Σ_q m_q |x_q − s(x_q)|² / A + φ Σ_p A_p² / A ∫_p
 /// |x''|² is nearly the least: s(x_q) is the point of the original surface that is nearest to x_q, and the
 /// second derivatives are taken on the surface x itself. So a place may slide along the surface, which lets

@@ -32,41 +32,6 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	return FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(outcome);
 }
 
-/// Where nobody has said how far places may go, a shape a little farther away than the preferred bound gives
-/// way to one within it, if there is one whose borders do no worse.
-NewtonOutcome nearerByPreference(NewtonOutcome outcome, const PatchAssembly& part, const Positions& start,
-								 const ConstrainedNewtonOptions& options, CurvatureGoal goal,
-								 const Progress& progress) {
-	if (getenv("NOPREF")) return outcome;
-	constexpr double reach = 1.5; // farther shapes have hardly ever one within the bound near them
-	constexpr int fewSteps = 60;  // on each level
-	const auto farthest = [&](const Positions& positions) {
-		return std::sqrt((positions - part.originalPositions).colwise().squaredNorm().maxCoeff());
-	};
-	goal.farthest = options.tuning.preferredBound * boxDiagonal(part.originalPositions);
-	const double moved = farthest(outcome.positions);
-	if (options.maxDisplacement >= 0 || outcome.ending != Ending::Reached || moved <= goal.farthest ||
-		moved > options.tuning.preferredReach * goal.farthest || farthest(start) > goal.farthest)
-		return outcome;
-	NewtonTuning tuning = options.tuning;
-	tuning.leastSquares = 0;
-	tuning.attempts = 1;
-	tuning.returnReach = reach;
-	if (!outcome.bordersLimited)
-		tuning.limitedSteps = 0;
-	NewtonStrategy strategy(options.smoothness, options.fairness, goal,
-							std::min(fewSteps, options.maxIterations), options.memoryLimit, tuning);
-	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
-	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work));
-	NewtonOutcome nearer = strategy.solve(part, start, partOf(progress, 0, 1, "nearer: "));
-	nearer.iterations += outcome.iterations;
-	if (nearer.ending == Ending::Stopped ||
-		(nearer.ending == Ending::Reached && nearer.bordersLimited == outcome.bordersLimited))
-		return nearer;
-	outcome.iterations = nearer.iterations;
-	return outcome;
-}
-
 /// Without held places nothing else than the shape itself can stand in the way.
 Status statusOf(Ending ending, const PatchAssembly& part) {
 	switch (ending) {
@@ -120,7 +85,6 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations,
 							options.memoryLimit, options.tuning);
 	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
-	outcome = nearerByPreference(std::move(outcome), part, result.positions, options, goal, progress);
 	keepNear(original, farthest, result.positions, outcome);
 	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
 			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};

@@ -63,7 +63,7 @@ std::string announce(const PatchAssembly& assembly, double seconds) {
 
 NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal,
 							   int maxIterations, double memoryLimit, const NewtonTuning& tuning)
-	: smoothness_(smoothness), shapeSmoothness_(std::pow(fairness / (2 * pi), 4)), goal_(goal),
+	: smoothness_(smoothness), shapeSmoothness_(shapeSmoothness(fairness)), goal_(goal),
 	  maxIterations_(maxIterations), memoryLimit_(memoryLimit), tuning_(tuning) {}
 
 /// With less room to move, for what the finest level adds.

@@ -88,8 +88,6 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"returnProgress", &NewtonTuning::returnProgress},
 		{"returnReach", &NewtonTuning::returnReach},
 		{"leastSquares", &NewtonTuning::leastSquares},
-		{"preferredBound", &NewtonTuning::preferredBound},
-		{"preferredReach", &NewtonTuning::preferredReach},
 		{"workPerPlace", &NewtonTuning::workPerPlace},
 		{"workOnSmall", &NewtonTuning::workOnSmall},
 		{"workTogether", &NewtonTuning::workTogether},

@@ -90,9 +90,6 @@ struct NewtonTuning {
 	double returnProgress = 0.97; ///< share of the nearest so far that a round may leave
 	double returnReach = 3;       ///< of the bound: shapes farther away are given up
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
-	double preferredBound =
-		0.02;                  ///< of the diagonal: shapes a little farther are led back when none is asked
-	double preferredReach = 2; ///< of that: shapes farther away stay
 
 	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very
 	// thin triangles.
