@@ -6,7 +6,7 @@ and `flatten` take and return NumPy arrays; `meshlab_developable.patterns` write
 cut and sew.
 """
 
-from meshlab_developable.cutting import CutPanels, CutReport, Panel
+from meshlab_developable.cutting import CutPanels, CutReport
 from meshlab_developable.errors import (
     DevelopableError,
     FilterError,
@@ -50,7 +50,6 @@ __all__ = [
     "Measured",
     "Measures",
     "OptimizationReport",
-    "Panel",
     "PanelReport",
     "PatternError",
     "PatternReport",

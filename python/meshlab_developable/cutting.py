@@ -17,29 +17,15 @@ from meshlab_developable.errors import FilterError
 from meshlab_developable.filters import CUT
 from meshlab_developable.mesh_sets import Array, IndexArray, Source
 from meshlab_developable.methods import array_parameters, make_developable, opened
-
-
-@dataclasses.dataclass(frozen=True)
-class Panel:
-    """A panel of a cut surface, and what becomes of it when all panels are made developable together."""
-
-    index: int
-    faces: int
-    status: Status
-    reason: str  # why the status is what it is, a sentence
-    curvature_before: float  # C, rad
-    curvature_after: float  # rad
-    max_angle_defect: float  # after, rad
-    mean_displacement: float  # over its vertices, length
-    max_displacement: float  # length
-    worst_point: tuple[float, float, float]  # where most curvature is left, or a vertex is moved too far
+from meshlab_developable.panels import panel_reports
+from meshlab_developable.reports import PanelReport
 
 
 @dataclasses.dataclass(frozen=True)
 class CutReport:
     """What a cut did. Lengths are in the mesh's unit."""
 
-    panels: tuple[Panel, ...]
+    panels: list[PanelReport]
     darts: int
     seam_length: float  # each seam and dart once, original borders not
     smallest_panel_area: float
@@ -50,7 +36,7 @@ class CutReport:
     seconds: float
 
     @classmethod
-    def from_values(cls, values: Mapping[str, Any], panels: tuple[Panel, ...]) -> CutReport:
+    def from_values(cls, values: Mapping[str, Any], panels: list[PanelReport]) -> CutReport:
         """From the dictionary that the filter returned, and what the mesh's faces say of panels."""
         words = {"panels": panels, "status": Status(values["status"])}
         return cls(**{field.name: {**values, **words}[field.name] for field in dataclasses.fields(cls)})
@@ -112,7 +98,7 @@ def cut_into_panels(
     return CutPanels(
         vertices=np.array(mesh.vertex_matrix()),
         faces=np.array(mesh.face_matrix(), dtype=np.int32),
-        face_panels=_face_numbers(mesh, "panel").astype(np.int32),
+        face_panels=np.array(mesh.face_custom_scalar_attribute_array("panel"), dtype=np.int32),
         report=report,
     )
 
@@ -121,8 +107,8 @@ def cut_layer(meshes: Any, values: Mapping[str, Any]) -> CutReport:
     """Cut the current layer of a set. values: parameters of the filter, checked. Raises FilterError."""
     result = mesh_sets.apply_filter(meshes, CUT, values)
     if result["status"] == Status.STOPPED:
-        return CutReport.from_values(result, ())
-    return CutReport.from_values(result, _panels(meshes.current_mesh()))
+        return CutReport.from_values(result, [])
+    return CutReport.from_values(result, panel_reports(meshes.current_mesh()))
 
 
 def developed_panels(source: Source, **parameters: Any) -> tuple[Array, IndexArray, CutReport]:
@@ -156,42 +142,3 @@ def cut_file(source: Path, target: Path, verbose: bool = False, **parameters: An
     meshes.set_verbosity(False)
     save_whole(meshes, target)
     return report
-
-
-def _panels(mesh: Any) -> tuple[Panel, ...]:
-    """What the attributes of faces say of each panel."""
-    numbers = _face_numbers(mesh, "panel").astype(int)
-    columns = {
-        name: _face_numbers(mesh, f"panel_{name}")
-        for name in (
-            "status",
-            "curvature_before",
-            "curvature",
-            "max_angle_defect",
-            "mean_displacement",
-            "max_displacement",
-        )
-    }
-    points = np.array(mesh.face_custom_point_attribute_matrix("panel_worst_point"))
-    panels = []
-    for index in range(int(numbers.max(initial=-1)) + 1):
-        members = np.flatnonzero(numbers == index)
-        at = {name: float(column[members[0]]) for name, column in columns.items()}
-        status = Status(int(at.pop("status")))
-        x, y, z = (float(coordinate) for coordinate in points[members[0]])
-        panels.append(
-            Panel(
-                index=index,
-                faces=len(members),
-                status=status,
-                reason=status.text,
-                curvature_after=at.pop("curvature"),
-                worst_point=(x, y, z),
-                **at,
-            )
-        )
-    return tuple(panels)
-
-
-def _face_numbers(mesh: Any, name: str) -> Array:
-    return np.array(mesh.face_custom_scalar_attribute_array(name), dtype=np.float64)

@@ -22,8 +22,8 @@ _ATTRIBUTES = {  # of the faces, by the report's field
 
 
 def panel_reports(mesh: Any) -> list[PanelReport]:
-    """Of each panel of a mesh of pymeshlab's that Global or Local Developability has worked on, in order;
-    none of other meshes, or when the run was stopped."""
+    """Of each panel of a mesh of pymeshlab's that Global or Local Developability has worked on, or that was
+    cut, in order; none of other meshes, or when the run was stopped."""
     try:
         panel_of_face = mesh.face_custom_scalar_attribute_array("panel")
     except Exception:  # pymeshlab's own, where there is no such attribute

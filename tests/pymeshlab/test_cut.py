@@ -50,6 +50,7 @@ def test_each_panel_is_described(panels):
         assert panel.faces == (panels.face_panels == panel.index).sum()
         assert panel.curvature_after <= 1e-4 < panel.curvature_before
         assert panel.mean_displacement <= panel.max_displacement <= panels.report.max_displacement
+        assert panel.nearest_developable == 0
     assert panels.report.smallest_panel_area > 0
 
 
@@ -113,3 +114,19 @@ def test_from_a_scan_to_patterns_by_one_command(tmp_path, sphere, capsys):
     assert said["pieces"] > 1
     assert said["max_edge_strain"] < 1e-3
     assert (tmp_path / "out" / "scan.dxf").stat().st_size > 0
+
+
+def test_a_panel_that_moves_too_far_says_how_far():
+    """A dome that may not be cut."""
+    meshes = pymeshlab.MeshSet()
+    meshes.create_sphere_cap(angle=40, subdiv=3)
+    mesh = meshes.current_mesh()
+    vertices, faces = np.array(mesh.vertex_matrix()), np.array(mesh.face_matrix())
+    whole = np.ones(len(faces), dtype=bool)
+    cut = meshlab_developable.cut_into_panels(
+        vertices, faces, keep_selected_whole=whole, max_displacement=1e-6
+    )
+    (panel,) = cut.report.panels
+    assert panel.status is Status.NEEDS_CUT
+    assert panel.nearest_developable == panel.max_displacement > 1e-6
+    assert "the nearest developable one found moves a vertex by" in panel.reason

@@ -33,14 +33,6 @@ public:
 	}
 
 private:
-	/// What is known of a seam that could not go holds until one of its panels changes.
-	using Failure = std::array<int, 3>;
-
-	static Failure failureOf(const SeamChain& chain) {
-		return {chain.panels[0], chain.panels[1],
-				*std::min_element(chain.halfEdges.begin(), chain.halfEdges.end())};
-	}
-
 	/// What keeps a panel from being a ring has to stay; a dart may go.
 	static bool isSlit(const SeamChain& chain) { return chain.within() && !chain.isDart(); }
 
@@ -48,7 +40,8 @@ private:
 		std::vector<SeamChain> chains = seamChains(surface_);
 		chains.erase(std::remove_if(chains.begin(), chains.end(),
 									[&](const SeamChain& chain) {
-										return isSlit(chain) || failures_.count(failureOf(chain)) > 0;
+										return isSlit(chain) ||
+											   history_.wasRefused(surface_, chain.halfEdges);
 									}),
 					 chains.end());
 		left_ = static_cast<int>(chains.size());
@@ -92,16 +85,15 @@ private:
 			trials.push_back(trialOf(chain));
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)
-			if (verdicts[i].flat && verdicts[i].disk && !history_.wasTakenBack(trials[i].panel.face))
+			if (verdicts[i].flat && verdicts[i].disk)
 				history_.join(surface_, batch[i].halfEdges);
 			else
-				failures_.insert(failureOf(batch[i]));
+				history_.refuse(surface_, batch[i].halfEdges);
 	}
 
 	CutSurface& surface_;
 	PanelTests& tests_;
 	JoinHistory& history_;
-	std::set<Failure> failures_;
 	int left_ = 0;
 };
 

@@ -32,7 +32,8 @@ int countPanels(const CutSurface& surface) {
 double excess(const CutPanel& panel) {
 	if (panel.triangles == 0 || panel.developable)
 		return 0;
-	return panel.maxDisplacement * (1 + panel.curvatureAfter);
+	constexpr double least = 1e-300; // what overlaps may not move at all
+	return std::max(least, panel.maxDisplacement * (1 + panel.curvatureAfter));
 }
 
 /// The panel that holds least, of those that do not; -1: all hold.
@@ -362,6 +363,7 @@ void PanelPlan::joinToSoFew() {
 	constexpr int doublings = 4;
 	for (int i = 0; i < doublings && !tests_->stopped() && countPanels(*surface_) > options_.maxPanels; ++i) {
 		tests_->relax(2);
+		history_.tryAllAgain();
 		joinPanels(*surface_, *tests_, history_);
 		if (options_.darts && options_.splitTriangles)
 			joinWithDarts(*surface_, *tests_, excessBeyond(1));

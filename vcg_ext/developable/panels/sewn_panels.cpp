@@ -2,7 +2,10 @@
 // sewn_panels.cpp: one run of the constrained Newton method, read panel by panel.
 #include "sewn_panels.h"
 
+#include "developable/flatten/flatten.h"
 #include "developable/newton/constrained_newton.h"
+
+#include <algorithm>
 
 namespace developable::detail {
 
@@ -24,6 +27,15 @@ bool markClosed(const PatchAssembly& assembly, const CutSurface& surface, SewnPa
 	return any;
 }
 
+/// Panels that overlap themselves when laid flat are none, however developable.
+void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
+					const std::vector<int>& panelOfPatch, std::vector<CutPanel>& panels) {
+	const FlatPatterns patterns = flattenPatches(assembly, positions);
+	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch)
+		if (patterns.pieces[patch].overlapping)
+			panels[panelOfPatch[patch]].developable = false;
+}
+
 } // namespace
 
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
@@ -37,10 +49,8 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	Positions positions = assembly.originalPositions;
 	const Eigen::VectorXd before = angleDefects(assembly, positions);
 	ConstrainedNewtonOptions options;
-	if (brief) {
-		options.maxIterations = 40;
+	if (brief)
 		options.tuning.attempts = 1;
-	}
 	const ConstrainedNewtonReport run = constrainedNewton(assembly, positions, options, progress);
 	const Eigen::VectorXd after = angleDefects(assembly, positions);
 	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
@@ -83,6 +93,9 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 							 report.maxAngleDefect <= options.angleTolerance &&
 							 report.maxDisplacement <= maxDisplacement[patchOf(panel)];
 	}
+	if (std::all_of(result.panels.begin(), result.panels.end(),
+					[](const CutPanel& panel) { return panel.triangles == 0 || panel.developable; }))
+		refuseOverlaps(assembly, positions, panelOfPatch, result.panels);
 	return result;
 }
 

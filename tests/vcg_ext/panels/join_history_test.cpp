@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joins that are taken back leave what was there before, and what stays apart is known.
+#include "developable/panels/join_history.h"
+#include "developable/panels/seam_chains.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace developable::test {
+namespace {
+
+using detail::CutSurface;
+using detail::JoinHistory;
+using detail::seamChains;
+
+/// A sheet in three panels side by side.
+CutSurface threeStrips() {
+	const TriangleMesh mesh = grid(10, 4, flatSheet);
+	CutSurface surface(assembled(mesh));
+	std::vector<int> labels;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const auto corners = mesh.positions(0, mesh.triangles.col(t));
+		const double width = mesh.positions.row(0).maxCoeff();
+		labels.push_back(std::min(2, int(3 * corners.mean() / width)));
+	}
+	surface.relabel(labels);
+	return surface;
+}
+
+std::set<std::vector<int>> panelsOf(const CutSurface& surface) {
+	std::set<std::vector<int>> panels;
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		if (!surface.trianglesOf(panel).empty())
+			panels.insert(surface.trianglesOf(panel));
+	return panels;
+}
+
+TEST(JoinHistory, takesBackTheLastJoinOfAPanelOnly) {
+	CutSurface surface = threeStrips();
+	const std::set<std::vector<int>> three = panelsOf(surface);
+	ASSERT_EQ(three.size(), 3U);
+	JoinHistory history;
+	history.join(surface, seamChains(surface).front().halfEdges);
+	const std::set<std::vector<int>> two = panelsOf(surface);
+	history.join(surface, seamChains(surface).front().halfEdges);
+	ASSERT_EQ(panelsOf(surface).size(), 1U);
+
+	EXPECT_TRUE(history.takeBack(surface, surface.panelOf(0)));
+	EXPECT_EQ(panelsOf(surface), two);
+	const std::vector<int> seam = seamChains(surface).front().halfEdges;
+	EXPECT_TRUE(history.wasRefused(surface, seam)); // the two are not joined again
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		history.takeBack(surface, panel);
+	EXPECT_EQ(panelsOf(surface), three);
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		EXPECT_FALSE(history.takeBack(surface, panel)); // were never joined
+}
+
+TEST(JoinHistory, whatWasRefusedMayBeTriedWhenAPanelHasChanged) {
+	CutSurface surface = threeStrips();
+	JoinHistory history;
+	const auto chains = seamChains(surface);
+	ASSERT_EQ(chains.size(), 2U);
+	history.refuse(surface, chains[0].halfEdges);
+	EXPECT_TRUE(history.wasRefused(surface, chains[0].halfEdges));
+	EXPECT_FALSE(history.wasRefused(surface, chains[1].halfEdges));
+	history.join(surface, chains[1].halfEdges);
+	EXPECT_FALSE(history.wasRefused(surface, chains[0].halfEdges));
+	CutSurface other = threeStrips();
+	history.tryAllAgain();
+	EXPECT_FALSE(history.wasRefused(other, chains[0].halfEdges));
+}
+
+} // namespace
+} // namespace developable::test
