@@ -35,7 +35,8 @@ std::string pointInWords(const Eigen::Vector3d& at) {
 std::string placeOfLargest(const FlatPatterns& patterns, const Positions& positions, int lengthExponent) {
 	int vertex = 0;
 	patterns.stretch.cwiseMax(patterns.compression).maxCoeff(&vertex);
-	return pointInWords(inMeshUnits(lengthExponent, positions.col(patterns.placeOfVertex[std::size_t(vertex)])));
+	return pointInWords(
+		inMeshUnits(lengthExponent, positions.col(patterns.placeOfVertex[std::size_t(vertex)])));
 }
 
 /// "panel 2 by 0.31 % at (1, 2, 3), panel 4 by ...", the worst first.
@@ -47,7 +48,8 @@ std::string panelsBeyond(const std::vector<std::size_t>& beyond, const PatchAsse
 		const Eigen::Vector3d at =
 			positions(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
 		words += (i == 0 ? "panel " : ", panel ") + std::to_string(beyond[i]) + " by " +
-				 formatted(perCent * piece.beyondBounds, 3) + " % at " + pointInWords(inMeshUnits(assembly.lengthExponent, at));
+				 formatted(perCent * piece.beyondBounds, 3) + " % at " +
+				 pointInWords(inMeshUnits(assembly.lengthExponent, at));
 	}
 	return beyond.size() > mostPanels ? words + ", and others by less" : words;
 }
