@@ -37,6 +37,7 @@ BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patter
 
 BoundedEnding BoundedRun::run() {
 	Hardening hardening(penalty_, firstStiffness_);
+	takeGrain();
 	const double startViolation = violation();
 	double distance = 0;
 	std::vector<double> violations; // before each hardening
