@@ -83,6 +83,26 @@ TEST(BoundedStrain, ACapMovesWhereItBearsLess) {
 	}
 }
 
+TEST(BoundedStrain, WarpAndWeftHaveBoundsOfTheirOwn) {
+	const PatchAssembly assembly = assembled(sphericalCap(capAngle, 8));
+	BoundedStrainOptions options = optionsFor(0.9 * equalBounds, 0.9 * equalBounds);
+	Positions tight = assembly.originalPositions;
+	boundedStrain(assembly, tight, options);
+	// What gives more across the grain stays nearer, whichever way the grain runs.
+	options.bounds.directed = true;
+	options.bounds.weft = {2 * equalBounds, 2 * equalBounds};
+	for (const Grain grain : {Grain::XAxis, Grain::YAxis}) {
+		options.grain = grain;
+		Positions positions = assembly.originalPositions;
+		ASSERT_TRUE(converged(boundedStrain(assembly, positions, options).status));
+		EXPECT_LT(distance(assembly, positions), distance(assembly, tight));
+		FlattenOptions flattening;
+		flattening.bounds = options.bounds;
+		flattening.grain = grain;
+		EXPECT_LT(flattenPatches(assembly, positions, flattening).report.beyondBounds, patternTolerance);
+	}
+}
+
 TEST(BoundedStrain, MovesLessTheMoreIsAllowedAndNeverFartherThanToADevelopableShape) {
 	const PatchAssembly assembly = assembled(jitteredGrid(17, 17, sphereCap(1)));
 	Positions developable = assembly.originalPositions;
