@@ -3,11 +3,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-
-PANTS = Path(__file__).parents[2] / "meshes" / "short_pants.obj"
+from demonstrated import PANTS
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ import numpy as np
 import pymeshlab
 import pytest
 import reference_measures as reference
-from conftest import PANTS
+from demonstrated import PANTS
 from meshlab_developable.demo.__main__ import ANGLE_TOLERANCE, METHODS, demo_inputs, run
 from meshlab_developable.demo.document import flatness, verdict
 from meshlab_developable.demo.study import MAPS, Input
