@@ -3,14 +3,11 @@
 
 from __future__ import annotations
 
-import json
-
 import meshlab_developable
 import numpy as np
 import pymeshlab
 import pytest
 from meshlab_developable import Status
-from meshlab_developable.command_line import main
 
 CUT = "meshing_cut_into_developable_panels"
 
@@ -97,23 +94,6 @@ def test_what_does_not_work_yet_says_so_and_changes_nothing(meshes_of_a_box, val
     with pytest.raises(pymeshlab.PyMeshLabException, match="not work yet"):
         meshes_of_a_box.apply_filter(CUT, **values)
     assert meshes_of_a_box.current_mesh().vertex_number() == 8
-
-
-def test_from_a_scan_to_patterns_by_one_command(tmp_path, sphere, capsys):
-    meshes = pymeshlab.MeshSet()
-    meshes.add_mesh(pymeshlab.Mesh(*sphere))
-    scan = tmp_path / "scan.ply"
-    meshes.save_current_mesh(str(scan))
-    with pytest.raises(SystemExit) as ended:
-        main.main(
-            ["pattern", str(scan), "--cut", "-o", str(tmp_path / "out"), "--unit", "cm", "--json"],
-            standalone_mode=True,
-        )
-    assert ended.value.code in (0, None)
-    said = json.loads(capsys.readouterr().out)
-    assert said["pieces"] > 1
-    assert said["max_edge_strain"] < 1e-3
-    assert (tmp_path / "out" / "scan.dxf").stat().st_size > 0
 
 
 def test_a_panel_that_moves_too_far_says_how_far():

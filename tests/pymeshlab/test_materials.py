@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pymeshlab
 import pytest
-from mesh_sets import mesh_set, state_of
+from mesh_sets import Length, mesh_set, state_of
 
 GLOBAL, FLATTEN = "apply_coord_global_developability", "generate_flat_patches"
 
@@ -140,16 +140,12 @@ def test_no_vertex_goes_farther_than_it_may_and_bounds_hold_where_they_can():
     values = {"allowed_stretch": 1.0, "allowed_compression": 1.0}
     free = mesh_set((vertices, faces)).apply_filter(GLOBAL, **values)
     allowed = 0.9 * free["max_displacement"]
-    near = mesh_set((vertices, faces)).apply_filter(
-        GLOBAL, max_displacement=pymeshlab.PureValue(allowed), **values
-    )
+    near = mesh_set((vertices, faces)).apply_filter(GLOBAL, max_displacement=Length(allowed), **values)
     assert near["max_displacement"] <= allowed
     if near["converged"]:
         assert max(near["max_stretch"], near["max_compression"]) < 1.01
     too_near = 0.1 * free["max_displacement"]
-    beyond = mesh_set((vertices, faces)).apply_filter(
-        GLOBAL, max_displacement=pymeshlab.PureValue(too_near), **values
-    )
+    beyond = mesh_set((vertices, faces)).apply_filter(GLOBAL, max_displacement=Length(too_near), **values)
     assert beyond["max_displacement"] <= too_near
     assert not beyond["converged"]
     assert beyond["nearest_developable"] == pytest.approx(free["max_displacement"], rel=0.02)
