@@ -39,7 +39,7 @@ public:
 	/// \param areas  of the triangles
 	FittedHessian(const PatchAssembly& assembly, const Eigen::VectorXd& areas);
 
-	/// A triangle without neighbours does not bend and has no rows
+	/// A triangle without neighbours does not bend and has no rows.
 	TriangleBending bending(int triangle) const;
 
 private:

@@ -31,10 +31,9 @@ public:
 				  double memoryLimit)
 		: NewtonProblem(assembly, assembly, goal, tuning, memoryLimit, 0) {}
 
-	/// \param reference        the same assembly with other original positions, what the shape is to be near
-	/// and where
-	///                         displacements are measured from; see fairShape
-	/// \param shapeSmoothness  φ: how dear it is to bend beside α
+	/// \param reference        the same assembly with other original positions: what the shape is to be near,
+	///                         and where displacements are measured from; see fairShape
+	/// \param shapeSmoothness  φ: how dear it is to bend the shape, beside α
 	NewtonProblem(const PatchAssembly& assembly, const PatchAssembly& reference, const CurvatureGoal& goal,
 				  const NewtonTuning& tuning, double memoryLimit, double shapeSmoothness);
 
