@@ -91,10 +91,6 @@ Status statusOf(BoundedEnding ending, const PatchAssembly& part) {
 	return Status::Stalled;
 }
 
-double farthestMove(const PatchAssembly& part, const Positions& positions) {
-	return (positions - part.originalPositions).colwise().norm().maxCoeff();
-}
-
 /// Measures a result's pattern. \return false when the user asked for a stop
 bool measure(const PatchAssembly& part, const BoundedStrainOptions& options, const Progress& progress,
 			 BoundedOutcome& outcome) {

@@ -23,6 +23,10 @@ Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairn
 	return {displacementMetric(fair, smoothness + shapeSmoothness), fair.originalPositions};
 }
 
+double farthestMove(const PatchAssembly& assembly, const Positions& positions) {
+	return (positions - assembly.originalPositions).colwise().norm().maxCoeff();
+}
+
 double farthestAllowed(const PatchAssembly& part, double maxDisplacement) {
 	constexpr double byDefault = 0.15;
 	return maxDisplacement < 0 ? byDefault * boxDiagonal(part.originalPositions) : maxDisplacement;

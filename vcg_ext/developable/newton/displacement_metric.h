@@ -22,6 +22,9 @@ struct Nearness {
 /// \param fairness  0 to 1, as in ConstrainedNewtonOptions
 Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairness);
 
+/// How far the place that has moved farthest is from where it was, length.
+double farthestMove(const PatchAssembly& assembly, const Positions& positions);
+
 /// How far places may go: what was asked for, or 15 % of the diagonal of the part where that is negative.
 double farthestAllowed(const PatchAssembly& part, double maxDisplacement);
 

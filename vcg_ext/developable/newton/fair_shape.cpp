@@ -4,6 +4,7 @@
 
 #include "bending_metric.h"
 #include "developable/geometry/geometry.h"
+#include "displacement_metric.h"
 #include "soundness.h"
 
 namespace developable::detail {
@@ -42,8 +43,7 @@ PatchAssembly fairShape(const PatchAssembly& assembly, double shapeSmoothness, c
 	for (int i = 0; i < tuning.fairSteps; ++i) {
 		const Positions next =
 			shape.originalPositions + step(shape, assembly, shapeSmoothness, withoutRods, memoryLimit);
-		const double farthest = (next - assembly.originalPositions).colwise().norm().maxCoeff();
-		if (!(farthest <= goal.farthest) || !soundness.holds(next))
+		if (!(farthestMove(assembly, next) <= goal.farthest) || !soundness.holds(next))
 			break;
 		shape.originalPositions = next;
 	}

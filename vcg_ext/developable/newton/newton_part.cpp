@@ -55,8 +55,8 @@ bool anyFree(const PatchAssembly& part) {
 }
 
 /// Steps keep within the bound each in its own way; whatever they came to, what is promised holds.
-void keepNear(const Positions& original, double farthest, const Positions& start, NewtonOutcome& outcome) {
-	const double moved = (outcome.positions - original).colwise().norm().maxCoeff();
+void keepNear(const PatchAssembly& part, double farthest, const Positions& start, NewtonOutcome& outcome) {
+	const double moved = farthestMove(part, outcome.positions);
 	if (moved <= farthest)
 		return;
 	if (outcome.ending == Ending::Reached)
@@ -69,12 +69,11 @@ void keepNear(const Positions& original, double farthest, const Positions& start
 
 PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 					  const ConstrainedNewtonOptions& options, const Progress& progress) {
-	const Positions& original = part.originalPositions;
 	const double farthest = farthestAllowed(part, options.maxDisplacement);
 	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance, farthest};
-	const bool startsNear = (start - original).colwise().norm().maxCoeff() <= farthest;
+	const bool startsNear = farthestMove(part, start) <= farthest;
 	PartOutcome result;
-	result.positions = startsNear ? start : original;
+	result.positions = startsNear ? start : part.originalPositions;
 	if (goal.reached(part, flatDefects(part, result.positions)))
 		return result;
 	if (!anyFree(part)) {
@@ -85,7 +84,7 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations,
 							options.memoryLimit, options.tuning);
 	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
-	keepNear(original, farthest, result.positions, outcome);
+	keepNear(part, farthest, result.positions, outcome);
 	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
 			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};
 }

@@ -2,6 +2,8 @@
 // newton_problem.cpp: shapes, and the metric that goes with them.
 #include "newton_problem.h"
 
+#include "displacement_metric.h"
+
 namespace developable::detail {
 
 NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const PatchAssembly& reference,
@@ -20,8 +22,7 @@ void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
 Shape NewtonProblem::shapeAt(const Positions& positions) const {
 	const Eigen::VectorXd defects = flatDefects(assembly_, positions);
 	return {positions, jacobian_.scaled(defects, positions), defects.cwiseAbs().sum(),
-			(positions - assembly_.originalPositions).colwise().norm().maxCoeff(),
-			goal_.reached(assembly_, defects)};
+			farthestMove(assembly_, positions), goal_.reached(assembly_, defects)};
 }
 
 void NewtonProblem::weigh(const Eigen::VectorXd& masses) {
