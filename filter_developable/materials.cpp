@@ -12,7 +12,7 @@ namespace developable::plugin {
 
 namespace {
 
-constexpr double perCent = 0.01;
+constexpr double onePerCent = 0.01;
 constexpr double ofMaterial = -1; ///< a bound that the material decides
 
 /// A number for all directions, or one for each.
@@ -20,13 +20,13 @@ constexpr double ofMaterial = -1; ///< a bound that the material decides
 void readBounds(const QJsonValue& value, double DirectionBounds::*bound, StrainBounds& bounds) {
 	if (!value.isObject()) {
 		for (DirectionBounds* direction : {&bounds.warp, &bounds.weft, &bounds.bias})
-			direction->*bound = perCent * value.toDouble();
+			direction->*bound = onePerCent * value.toDouble();
 		return;
 	}
 	bounds.directed = true;
-	bounds.warp.*bound = perCent * value.toObject()["warp"].toDouble();
-	bounds.weft.*bound = perCent * value.toObject()["weft"].toDouble();
-	bounds.bias.*bound = perCent * value.toObject()["bias"].toDouble();
+	bounds.warp.*bound = onePerCent * value.toObject()["warp"].toDouble();
+	bounds.weft.*bound = onePerCent * value.toObject()["weft"].toDouble();
+	bounds.bias.*bound = onePerCent * value.toObject()["bias"].toDouble();
 }
 
 std::vector<Material> readMaterials() {
@@ -39,7 +39,7 @@ std::vector<Material> readMaterials() {
 		material.name = entry["name"].toString().toStdString();
 		readBounds(entry["stretch"], &DirectionBounds::stretch, material.bounds);
 		readBounds(entry["compression"], &DirectionBounds::compression, material.bounds);
-		material.elasticStrain = perCent * entry["elastic_strain"].toDouble();
+		material.elasticStrain = onePerCent * entry["elastic_strain"].toDouble();
 		material.source = entry["source"].toString().toStdString();
 		result.push_back(material);
 	}
@@ -55,7 +55,7 @@ void setBound(const ParameterValues& values, const char* name, double DirectionB
 	requireOption(value >= 0, std::string("The parameter '") + name +
 								  "' is negative: choose 0 or more, or -1 for what the material bears.");
 	for (DirectionBounds* direction : {&bounds.warp, &bounds.weft, &bounds.bias})
-		direction->*bound = perCent * value;
+		direction->*bound = onePerCent * value;
 }
 
 } // namespace

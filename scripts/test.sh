@@ -42,7 +42,7 @@ bash "$root/scripts/setup.sh"
 install_packages clang-format-14 clang-tidy-14 shellcheck
 cd "$root"
 mkdir -p "$build_root/reports"
-export -f tidy_one cpp_files once checksum
+export -f tidy_unit cpp_files once checksum
 export root build_root
 
 run_check "format of C++" check_cpp_format
