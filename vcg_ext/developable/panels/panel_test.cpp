@@ -49,6 +49,39 @@ bool liesFlat(const PatchAssembly& assembly, const Positions& positions) {
 		   piece.maxEdgeStrain < greatestStrain;
 }
 
+/// \return whether the places have moved no farther than they may
+bool isNear(const PatchAssembly& assembly, const Positions& positions, const PanelLimits& limits,
+			PanelVerdict& verdict) {
+	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
+	verdict.maxDisplacement = moves.maxCoeff();
+	verdict.meanDisplacement = moves.mean();
+	return verdict.maxDisplacement <= limits.maxDisplacement &&
+		   verdict.meanDisplacement <= limits.meanDisplacement;
+}
+
+void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
+					PanelVerdict& verdict) {
+	Positions positions = assembly.originalPositions;
+	verdict.worstPoint = worstPoint(assembly, positions);
+	const ConstrainedNewtonReport report =
+		constrainedNewton(assembly, positions, briefRun(limits.maxDisplacement), progress);
+	const bool near = isNear(assembly, positions, limits, verdict);
+	if (!converged(report.status))
+		verdict.worstPoint = worstPoint(assembly, positions);
+	else
+		verdict.flat = near && liesFlat(assembly, positions);
+}
+
+void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
+				  PanelVerdict& verdict) {
+	Positions positions = assembly.originalPositions;
+	if (!mayComeWithinBounds(assembly, limits.material, limits.maxDisplacement))
+		return;
+	bringWithinBounds(assembly, positions, limits.material, limits.maxDisplacement, true, progress);
+	verdict.flat = isNear(assembly, positions, limits, verdict) &&
+				   judgePatterns(assembly, positions, limits.material).front().holds();
+}
+
 } // namespace
 
 bool isDisk(const TriangleMesh& mesh) {
@@ -61,20 +94,10 @@ PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, cons
 	if (!isSheet(assembly))
 		return verdict;
 	verdict.disk = isDisk(assembly);
-	Positions positions = assembly.originalPositions;
-	verdict.worstPoint = worstPoint(assembly, positions);
-	const ConstrainedNewtonReport report =
-		constrainedNewton(assembly, positions, briefRun(limits.maxDisplacement), progress);
-	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
-	verdict.maxDisplacement = moves.maxCoeff();
-	verdict.meanDisplacement = moves.mean();
-	if (!converged(report.status)) {
-		verdict.worstPoint = worstPoint(assembly, positions);
-		return verdict;
-	}
 	try {
-		verdict.flat = verdict.maxDisplacement <= limits.maxDisplacement &&
-					   verdict.meanDisplacement <= limits.meanDisplacement && liesFlat(assembly, positions);
+		testUnstrained(assembly, limits, progress, verdict);
+		if (!verdict.flat && limits.material.bounds.any())
+			testStrained(assembly, limits, progress, verdict);
 	} catch (const PatchWithHandles&) {
 		verdict.flat = false;
 	}

@@ -11,12 +11,12 @@ constexpr double meanOfGreatest = 0.3; ///< mean displacement as a share of the 
 
 } // namespace
 
-PanelTests::PanelTests(std::vector<double> maxDisplacement, Progress progress)
-	: maxDisplacement_(std::move(maxDisplacement)), progress_(std::move(progress)) {}
+PanelTests::PanelTests(std::vector<double> maxDisplacement, const PanelMaterial& material, Progress progress)
+	: maxDisplacement_(std::move(maxDisplacement)), material_(material), progress_(std::move(progress)) {}
 
 PanelLimits PanelTests::limitsOf(int patch) const {
 	const double greatest = relaxed_ * shareAlone * maxDisplacement_[patch];
-	return {greatest, meanOfGreatest * greatest};
+	return {greatest, meanOfGreatest * greatest, material_};
 }
 
 std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {

@@ -18,7 +18,7 @@ struct PanelTrial {
 class PanelTests {
 public:
 	/// \param maxDisplacement  per patch of the surface, length
-	PanelTests(std::vector<double> maxDisplacement, Progress progress);
+	PanelTests(std::vector<double> maxDisplacement, const PanelMaterial& material, Progress progress);
 
 	/// Within what a patch's panels have to stay, by themselves: sewn together they will move a little more.
 	PanelLimits limitsOf(int patch) const;
@@ -33,6 +33,7 @@ public:
 
 private:
 	const std::vector<double> maxDisplacement_;
+	const PanelMaterial material_;
 	const Progress progress_;
 	double relaxed_ = 1;
 	std::atomic<bool> stopped_{false};
