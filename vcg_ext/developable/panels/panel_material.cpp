@@ -37,14 +37,16 @@ void bringWithinBounds(const PatchAssembly& assembly, Positions& positions, cons
 	boundedStrain(assembly, positions, options, progress);
 }
 
-bool mayComeWithinBounds(const PatchAssembly& panel, const PanelMaterial& material, double maxDisplacement) {
+Outlook outlookOf(const PatchAssembly& panel, const PanelMaterial& material, double maxDisplacement) {
 	const FlatPatterns patterns = flattenPatches(panel, panel.originalPositions);
 	double area = 0;
 	for (const auto& places : panel.trianglePlaces.colwise())
 		area += triangleFrame(panel.originalPositions, places).normal.norm() / 2;
 	const double movedAway = maxDisplacement / (3 * std::sqrt(area / pi));
-	return !patterns.pieces.front().overlapping &&
-		   patterns.report.meanEdgeStrain <= shareOfBound * greatestBound(material.bounds) + movedAway;
+	const double strain = patterns.report.meanEdgeStrain, bound = greatestBound(material.bounds);
+	if (patterns.pieces.front().overlapping || strain > shareOfBound * bound + movedAway)
+		return Outlook::Hopeless;
+	return strain > bound ? Outlook::MostlyMoves : Outlook::MostlyStrains;
 }
 
 std::vector<PatternVerdict> judgePatterns(const PatchAssembly& assembly, const Positions& positions,

@@ -22,10 +22,16 @@ namespace detail {
 void bringWithinBounds(const PatchAssembly& assembly, Positions& positions, const PanelMaterial& material,
 					   double maxDisplacement, bool brief, const Progress& progress);
 
-/// Whether it is worth while to try to bring a single panel within its bounds: its pattern of least squares
-/// does not overlap itself, and what that is strained by on average can be borne or moved away. A round cap
-/// of radius r that rises by h is strained by some h / (6 r).
-bool mayComeWithinBounds(const PatchAssembly& panel, const PanelMaterial& material, double maxDisplacement);
+/// What a panel's pattern of least squares lets expect.
+enum class Outlook {
+	Hopeless,     ///< it overlaps itself, or is strained by more than can be borne and moved away
+	MostlyMoves,  ///< the material bears a small part of its strain: as without any it will hold or not
+	MostlyStrains ///< or a large part
+};
+
+/// A round cap of radius r that rises by h is strained by some h / (6 r) on average: so much less is left
+/// when places move.
+Outlook outlookOf(const PatchAssembly& panel, const PanelMaterial& material, double maxDisplacement);
 
 struct PatternVerdict {
 	double beyondBounds = 0; ///< by how much a strain is beyond its bound, at most

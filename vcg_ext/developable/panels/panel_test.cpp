@@ -74,9 +74,12 @@ void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, co
 
 void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
 				  PanelVerdict& verdict) {
-	Positions positions = assembly.originalPositions;
-	if (!mayComeWithinBounds(assembly, limits.material, limits.maxDisplacement))
+	const Outlook outlook = outlookOf(assembly, limits.material, limits.maxDisplacement);
+	if (outlook == Outlook::MostlyMoves)
+		testUnstrained(assembly, limits, progress, verdict); // which is quicker
+	if (outlook == Outlook::Hopeless || verdict.flat)
 		return;
+	Positions positions = assembly.originalPositions;
 	bringWithinBounds(assembly, positions, limits.material, limits.maxDisplacement, true, progress);
 	verdict.flat = isNear(assembly, positions, limits, verdict) &&
 				   judgePatterns(assembly, positions, limits.material).front().holds();
@@ -95,9 +98,10 @@ PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, cons
 		return verdict;
 	verdict.disk = isDisk(assembly);
 	try {
-		testUnstrained(assembly, limits, progress, verdict);
-		if (!verdict.flat && limits.material.bounds.any())
+		if (limits.material.bounds.any())
 			testStrained(assembly, limits, progress, verdict);
+		else
+			testUnstrained(assembly, limits, progress, verdict);
 	} catch (const PatchWithHandles&) {
 		verdict.flat = false;
 	}
