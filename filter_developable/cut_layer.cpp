@@ -2,8 +2,6 @@
 // cut_layer.cpp: new vertices and faces with what the old ones had.
 #include "cut_layer.h"
 
-#include "developable/newton/constrained_newton.h"
-
 #include <vcg/complex/allocate.h>
 
 #include <algorithm>
@@ -203,15 +201,10 @@ void labelPanels(Layer& layer, const CutResult& result, const std::vector<int>& 
 	writeNumber("panel_status", -1, [](const CutPanel& panel) {
 		return static_cast<int>(panel.developable ? Status::Converged : Status::NeedsCut);
 	});
-	const auto isTooFar = [](const CutPanel& panel) {
-		return !panel.developable && panel.curvatureAfter <= ConstrainedNewtonOptions().curvatureTolerance;
-	};
-	writeNumber("panel_reason", 0, [&](const CutPanel& panel) {
-		const Reason why = isTooFar(panel) ? Reason::TooFar : Reason::NeedsCut;
-		return static_cast<int>(panel.developable ? Reason::AsStatus : why);
+	writeNumber("panel_reason", 0, [](const CutPanel& panel) { return static_cast<int>(panel.reason); });
+	writeNumber("panel_nearest_developable", 0, [](const CutPanel& panel) {
+		return panel.reason == Reason::TooFar ? panel.maxDisplacement : 0;
 	});
-	writeNumber("panel_nearest_developable", 0,
-				[&](const CutPanel& panel) { return isTooFar(panel) ? panel.maxDisplacement : 0; });
 	writeNumber("panel_curvature_before", 0, [](const CutPanel& panel) { return panel.curvatureBefore; });
 	writeNumber("panel_curvature", 0, [](const CutPanel& panel) { return panel.curvatureAfter; });
 	writeNumber("panel_max_angle_defect", 0, [](const CutPanel& panel) { return panel.maxAngleDefect; });

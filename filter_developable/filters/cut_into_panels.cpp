@@ -18,15 +18,12 @@ namespace {
 void refuseWhatDoesNotWork(const ParameterValues& values) {
 	if (values.boolean("symmetric"))
 		throw InvalidParameter("Symmetric panels do not work yet: switch 'symmetric' off.");
-	if (values.integer("material") != 0 || values.number("allowed_stretch") > 0 ||
-		values.number("allowed_compression") > 0)
-		throw InvalidParameter("Panels that may be strained do not work yet in this filter: leave 'material' "
-							   "at Custom, and 'allowed_stretch' and 'allowed_compression' at -1 or 0.");
 }
 
 CutOptions optionsOf(const ParameterValues& values, int lengthExponent) {
 	CutOptions options;
 	options.maxDisplacement = inWorkingUnits(lengthExponent, values.number("max_displacement"));
+	options.material = {strainBounds(values), values.choice<Grain>("grain")};
 	options.maxPanels = values.integer("max_panels");
 	options.darts = values.boolean("darts");
 	options.creaseAngle = values.number("crease_angle");

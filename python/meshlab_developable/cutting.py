@@ -20,6 +20,9 @@ from meshlab_developable.methods import array_parameters, make_developable, open
 from meshlab_developable.panels import panel_reports
 from meshlab_developable.reports import PanelReport
 
+# Parameters that say what panels are made of, which cutting, moving and laying flat share.
+OF_MATERIAL = ("material", "allowed_stretch", "allowed_compression", "grain")
+
 
 @dataclasses.dataclass(frozen=True)
 class CutReport:
@@ -114,7 +117,8 @@ def cut_layer(meshes: Any, values: Mapping[str, Any]) -> CutReport:
 def developed_panels(source: Source, **parameters: Any) -> tuple[Array, IndexArray, CutReport]:
     """Cut a surface into panels and make these developable: vertices, faces, and what the cut did.
 
-    Parameters are those of `cut_into_panels`. Raises FilterError too when a panel can't be made developable.
+    Parameters are those of `cut_into_panels`; both steps take the same material. Raises FilterError too when
+    a panel can't be made developable.
     """
     cut = cut_into_panels(source, **parameters)
     if not cut.report.developable:
@@ -124,7 +128,8 @@ def developed_panels(source: Source, **parameters: Any) -> tuple[Array, IndexArr
             f"{len(cut.report.panels)} panels can't be made developable within the largest displacement, "
             f"first of all at {worst.worst_point}: allow a larger one with --max-displacement"
         )
-    developed = make_developable(cut.vertices, cut.faces)
+    of_material = {name: parameters[name] for name in OF_MATERIAL if name in parameters}
+    developed = make_developable(cut.vertices, cut.faces, **of_material)
     return developed.vertices, developed.faces, cut.report
 
 

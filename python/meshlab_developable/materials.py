@@ -67,19 +67,24 @@ def resolved(parameters: Mapping[str, Any]) -> dict[str, Any]:
     return values
 
 
-def greatest_bound(parameters: Mapping[str, Any]) -> float:
-    """The greatest strain that parameters of a filter allow in any direction, per cent."""
+def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
+    """By how much an edge of a pattern within its bounds may differ from the model's, per cent of that.
+
+    An edge that is shorter on the model by c of its pattern's length is longer in the pattern by c / (1 - c)
+    of the model's; one that is stretched by s is shorter by s / (1 + s).
+    """
     values = resolved(parameters)
     entry = materials().get(str(values.get("material", "Custom")), {})
-    bounds = [0.0]
-    for key in ("stretch", "compression"):
+    strains = [0.0]
+    for key, sign in (("stretch", 1), ("compression", -1)):
         bound = values.get(f"allowed_{key}", -1.0)
         own = entry.get(key, 0.0)
         if bound == -1.0:
-            bounds += own.values() if isinstance(own, Mapping) else [own]
-        elif isinstance(bound, int | float) and math.isfinite(bound):
-            bounds.append(float(bound))
-    return float(max(bounds))
+            bounds = [*own.values()] if isinstance(own, Mapping) else [own]
+        else:
+            bounds = [bound] if isinstance(bound, int | float) and math.isfinite(bound) else []
+        strains += [100 * bound / (100 + sign * bound) for bound in bounds if 0 < bound < 100 or sign > 0]
+    return float(max(strains))
 
 
 def grain_along(direction: Sequence[float], material: str) -> str:

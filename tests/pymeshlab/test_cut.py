@@ -89,9 +89,17 @@ def test_labels_only(meshes_of_a_box):
     assert mesh.face_scalar_array().min() == 0
 
 
-@pytest.mark.parametrize("values", [{"material": "Leather"}, {"allowed_stretch": 5.0}, {"symmetric": True}])
-def test_what_does_not_work_yet_says_so_and_changes_nothing(meshes_of_a_box, values):
-    with pytest.raises(pymeshlab.PyMeshLabException, match="not work yet"):
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"symmetric": True}, "not work yet"),
+        ({"allowed_stretch": -0.5}, "allowed"),
+        ({"allowed_compression": 100.0}, "allowed"),
+        ({"allowed_stretch": float("nan")}, "allowed"),
+    ],
+)
+def test_what_can_not_be_says_so_and_changes_nothing(meshes_of_a_box, values, message):
+    with pytest.raises(pymeshlab.PyMeshLabException, match=message):
         meshes_of_a_box.apply_filter(CUT, **values)
     assert meshes_of_a_box.current_mesh().vertex_number() == 8
 

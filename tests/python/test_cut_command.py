@@ -10,18 +10,35 @@ import pytest
 from meshlab_developable.command_line import main
 
 
-def test_from_a_scan_to_patterns_by_one_command(tmp_path, capsys):
+@pytest.fixture
+def scan(tmp_path):
+    """A closed surface."""
     meshes = pymeshlab.MeshSet()
-    meshes.create_sphere(radius=1.0, subdiv=3)
-    scan = tmp_path / "scan.ply"
-    meshes.save_current_mesh(str(scan))
+    meshes.create_sphere(radius=1.0, subdiv=2)
+    meshes.save_current_mesh(str(tmp_path / "scan.ply"))
+    return tmp_path / "scan.ply"
+
+
+def patterns_of(scan, capsys, *options):
+    """What the command says of the patterns that it has made."""
+    folder = scan.with_name("out")
+    arguments = ["pattern", str(scan), "--cut", "-o", str(folder), "--unit", "cm", "--json", *options]
     with pytest.raises(SystemExit) as ended:
-        main.main(
-            ["pattern", str(scan), "--cut", "-o", str(tmp_path / "out"), "--unit", "cm", "--json"],
-            standalone_mode=True,
-        )
+        main.main(arguments, standalone_mode=True)
     assert ended.value.code in (0, None)
-    said = json.loads(capsys.readouterr().out)
+    assert (folder / "scan.dxf").stat().st_size > 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_from_a_scan_to_patterns_by_one_command(scan, capsys):
+    said = patterns_of(scan, capsys)
     assert said["pieces"] > 1
     assert said["max_edge_strain"] < 1e-3
-    assert (tmp_path / "out" / "scan.dxf").stat().st_size > 0
+
+
+def test_cut_and_patterns_share_the_material(scan, capsys):
+    rigid = patterns_of(scan, capsys, "--no-darts")
+    bounds = ("--allowed-stretch", "5", "--allowed-compression", "5")
+    said = patterns_of(scan, capsys, "--no-darts", *bounds)
+    assert 1 < said["pieces"] < rigid["pieces"]
+    assert 0.01 < said["max_edge_strain"] < 0.0528

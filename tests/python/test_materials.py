@@ -94,11 +94,13 @@ def test_an_unknown_material_is_refused_with_the_nearest():
         filters.GLOBAL.checked({"material": "lether"})
 
 
-def test_the_greatest_bound_is_what_patterns_may_be_strained_by(own_file):
-    assert materials.greatest_bound({}) == 0
-    assert materials.greatest_bound({"material": "Knit"}) == 25
-    assert materials.greatest_bound({"material": "Leather", "allowed_compression": 7.0}) == 7
-    assert materials.greatest_bound({"material": f"{own_file}#Felt"}) == 3
+def test_patterns_may_be_strained_by_what_the_material_bears(own_file):
+    """Of a model's edge of length 1: in the pattern 1 / 1.25 where it is stretched, 1 / 0.93 compressed."""
+    strain = materials.greatest_edge_strain
+    assert strain({}) == 0
+    assert strain({"material": "Knit"}) == pytest.approx(100 * (1 - 1 / 1.25))
+    assert strain({"material": "Leather", "allowed_compression": 7.0}) == pytest.approx(100 * (1 / 0.93 - 1))
+    assert strain({"material": f"{own_file}#Felt"}) == pytest.approx(100 * (1 - 1 / 1.03))
 
 
 def test_the_grain_of_a_directed_material_runs_along_an_axis():

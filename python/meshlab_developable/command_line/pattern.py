@@ -13,6 +13,7 @@ from meshlab_developable import mesh_sets
 from meshlab_developable.command_line import shared
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import CUT, FLATTEN
+from meshlab_developable.materials import grain_along
 from meshlab_developable.mesh_sets import Array, IndexArray
 from meshlab_developable.patterns.options import COPIES, FORMATS, OUTLINES, PAPERS, TURNS, UNITS, Size
 
@@ -86,13 +87,16 @@ def _question_of_unit(mesh: Path) -> str:
 
 def _developed_panels(mesh: Path, cut: bool, parameters: dict[str, Any]) -> tuple[Array, IndexArray]:
     """Vertices and faces of the mesh's panels, made developable; takes the cut's own from the parameters."""
-    from meshlab_developable.cutting import developed_panels
+    from meshlab_developable.cutting import OF_MATERIAL, developed_panels
 
     of_cut = {name: parameters.pop(name) for name in (*OF_CUT, *SHARED_WITH_CUT) if name in parameters}
     if not cut:
         names = ", ".join(name for name in of_cut if name in OF_CUT)
         raise InvalidParameterError(f"{names} only count when the mesh is cut: give --cut too")
-    vertices, faces, _ = developed_panels(mesh, **of_cut)
+    of_material = {name: parameters[name] for name in OF_MATERIAL if name in parameters}
+    if "grain" in of_material:
+        of_material["grain"] = grain_along(of_material["grain"], of_material.get("material", "Custom"))
+    vertices, faces, _ = developed_panels(mesh, **of_cut, **of_material)
     return vertices, faces
 
 
@@ -178,7 +182,7 @@ def _developed_panels(mesh: Path, cut: bool, parameters: dict[str, Any]) -> tupl
 @click.option(
     "--cut",
     is_flag=True,
-    help="First cut the mesh into panels, and make these developable.",
+    help="First cut the mesh into panels, and make these developable, or as nearly so as the material needs.",
 )
 @shared.filter_options(CUT, without=NOT_OF_CUT)
 @shared.filter_options(FLATTEN, without=["gap", "grain", "map", "write_texture_coordinates", "colorize"])

@@ -34,6 +34,7 @@ from meshlab_developable.patterns.svg import write_svg
 from meshlab_developable.patterns.symmetry import Fold, find_copies, find_fold
 from meshlab_developable.writing import written_together
 
+BEYOND_BOUNDS = 0.02  # per cent; strains keep their bounds to 0.01
 OPTIONS = tuple(field.name for field in dataclasses.fields(PatternOptions))
 
 
@@ -76,7 +77,8 @@ def make_patterns(
     Raises PatternError, InvalidParameterError, and what `flatten` raises.
     """
     given = {key: parameters.pop(key) for key in OPTIONS if key in parameters}
-    given.setdefault("max_strain", max(PatternOptions.max_strain, materials.greatest_bound(parameters)))
+    borne = materials.greatest_edge_strain(parameters) + BEYOND_BOUNDS
+    given.setdefault("max_strain", max(PatternOptions.max_strain, borne))
     options = PatternOptions(**given)
     if options.grain is not None:
         parameters["grain"] = materials.grain_along(options.grain, parameters.get("material", "Custom"))

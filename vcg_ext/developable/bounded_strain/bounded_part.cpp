@@ -138,7 +138,7 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 		result = solveFrom(part, result.positions, options, farthest, partOf(progress, 0.05, 0.7));
 	else
 		result.status = statusOf(BoundedEnding::Stuck, part);
-	if (result.status != Status::NeedsCut && result.status != Status::Stalled)
+	if (!options.searchBeyond || (result.status != Status::NeedsCut && result.status != Status::Stalled))
 		return result;
 	const double anywhere = 10 * boxDiagonal(part.originalPositions);
 	const BoundedOutcome free =

@@ -24,6 +24,13 @@ bool hopeless(const std::vector<double>& violations) {
 		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
 }
 
+StrainedTriangles trianglesWithBorder(const PatchAssembly& assembly, const Positions& start,
+									  const FlatPatterns& patterns) {
+	StrainedTriangles triangles = strainedTriangles(assembly, start, patterns);
+	triangles.fans = BorderFans(triangles.flat, triangles.weights, patterns.positions);
+	return triangles;
+}
+
 } // namespace
 
 BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
@@ -32,7 +39,7 @@ BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patter
 	: assembly_(assembly), patterns_(patterns), options_(options), progress_(progress),
 	  firstStiffness_(firstStiffness), nearness_(nearness(assembly, options.smoothness, options.fairness)),
 	  bound_(assembly, farthest),
-	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
+	  penalty_(trianglesWithBorder(assembly, start, patterns), options.bounds, elasticity),
 	  steps_(assembly, nearness_, bound_, penalty_), unknowns_{start, patterns.positions} {}
 
 BoundedEnding BoundedRun::run() {
@@ -71,7 +78,8 @@ BoundedEnding BoundedRun::run() {
 }
 
 double BoundedRun::violation() const {
-	return penalty_.violations(unknowns_.shape, unknowns_.pattern).maxCoeff();
+	return std::max(penalty_.violations(unknowns_.shape, unknowns_.pattern).maxCoeff(),
+					penalty_.triangles().fans.excess(unknowns_.pattern));
 }
 
 void BoundedRun::takeGrain() {

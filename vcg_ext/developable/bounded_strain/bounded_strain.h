@@ -15,9 +15,11 @@ struct BoundedStrainOptions {
 	double smoothness = 3e-6;         ///< as in ConstrainedNewtonOptions; so are the next two
 	double fairness = 0;
 	double maxDisplacement = -1;
-	int maxIterations = 200; ///< steps, each with one linear system
-	double tolerance = 5e-5; ///< by how much a strain may be beyond its bound
-	int threads = 0;         ///< on which parts are solved side by side; 0: as many as can work
+	int maxIterations = 200;  ///< steps, each with one linear system
+	double tolerance = 5e-5;  ///< by how much a strain may be beyond its bound
+	bool searchBeyond = true; ///< for OptimizationReport::nearestDevelopable, where none was found within
+							  ///< maxDisplacement
+	int threads = 0;          ///< on which parts are solved side by side; 0: as many as can work
 };
 
 struct BoundedStrainReport : OptimizationReport {

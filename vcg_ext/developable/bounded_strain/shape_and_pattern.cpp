@@ -77,6 +77,7 @@ Eigen::VectorXd ShapeAndPatternSteps::direction(const ShapeAndPattern& unknowns,
 	addBound(unknowns.shape, gradient, entries);
 	for (int t = 0; t < penalty_.triangles().count(); ++t)
 		addElement(t, penalty_.element(t, unknowns.shape, unknowns.pattern), gradient, entries);
+	addBorder(unknowns.pattern, shapeSize, gradient, entries);
 	solvable_ = factorize(whole_, size, entries, shapeSize);
 	return solvable_ ? whole_.solve(Eigen::VectorXd(-gradient)) : gradient;
 }
@@ -130,6 +131,20 @@ void ShapeAndPatternSteps::addElement(int triangle, const StrainPenalty::Element
 	}
 }
 
+/// \param first  row of the pattern's first coordinate
+void ShapeAndPatternSteps::addBorder(const Eigen::Matrix2Xd& pattern, int first, Eigen::VectorXd& gradient,
+									 Entries& entries) const {
+	for (const BorderFans::EdgeElement& element : penalty_.borderElements(pattern)) {
+		const auto index = [&](int i) { return first + 2 * element.ends[i / 2] + i % 2; };
+		for (int i = 0; i < 4; ++i) {
+			gradient[index(i)] += element.gradient[i];
+			for (int j = 0; j <= i; ++j)
+				entries.emplace_back(std::max(index(i), index(j)), std::min(index(i), index(j)),
+									 element.hessian(i, j));
+		}
+	}
+}
+
 bool ShapeAndPatternSteps::factorize(SparseCholesky& factorization, int size, Entries& entries,
 									 int firstOfPattern) const {
 	for (int i = firstOfPattern; i < size; ++i)
@@ -162,6 +177,7 @@ bool ShapeAndPatternSteps::settleOnce(ShapeAndPattern& unknowns, double& value) 
 									 element.hessian(i, j));
 		}
 	}
+	addBorder(unknowns.pattern, 0, gradient, entries);
 	if (!factorize(pattern_, size, entries, 0))
 		return false;
 	const Eigen::VectorXd direction = pattern_.solve(Eigen::VectorXd(-gradient));

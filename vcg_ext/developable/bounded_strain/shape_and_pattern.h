@@ -42,6 +42,8 @@ private:
 	void addBound(const Positions& shape, Eigen::VectorXd& gradient, Entries& entries) const;
 	void addElement(int triangle, const StrainPenalty::Element& element, Eigen::VectorXd& gradient,
 					Entries& entries) const;
+	void addBorder(const Eigen::Matrix2Xd& pattern, int first, Eigen::VectorXd& gradient,
+				   Entries& entries) const;
 	bool factorize(SparseCholesky& factorization, int size, Entries& entries, int firstOfPattern) const;
 
 	/// Lowers Ψ by moving the pattern alone.

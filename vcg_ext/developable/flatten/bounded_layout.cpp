@@ -11,13 +11,14 @@ namespace developable::detail {
 
 namespace {
 
-StrainedTriangles trianglesOf(const PanelMesh& panel) {
+StrainedTriangles trianglesOf(const PanelMesh& panel, const PlanePositions& start) {
 	StrainedTriangles triangles;
 	triangles.shaped = triangles.flat = panel.triangles;
 	triangles.weights.resize(panel.triangleCount());
 	for (int t = 0; t < panel.triangleCount(); ++t)
 		triangles.weights[t] = panel.frame(t).normal.norm();
 	triangles.weights /= triangles.weights.sum();
+	triangles.fans = BorderFans(triangles.flat, triangles.weights, start);
 	return triangles;
 }
 
@@ -27,7 +28,7 @@ public:
 	BoundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
 				  Grain grain, const std::array<int, 2>& longestSide)
 		: panel_(panel), grain_(grain), longestSide_(longestSide), springs_(panel),
-		  penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
+		  penalty_(trianglesOf(panel, start), bounds, 0), scale_(springs_.scale()),
 		  hessian_(springs_.hessianPattern()), positions_(start) {
 		takeGrain();
 	}
@@ -69,7 +70,10 @@ private:
 		penalty_.setGrain(std::vector<double>(panel_.triangleCount(), angle));
 	}
 
-	double violation() const { return penalty_.violations(panel_.positions, positions_).maxCoeff(); }
+	double violation() const {
+		return std::max(penalty_.violations(panel_.positions, positions_).maxCoeff(),
+						penalty_.triangles().fans.excess(positions_));
+	}
 
 	double energy(const PlanePositions& x) const {
 		return springs_.guardedEnergy(x) + scale_ * penalty_.value(panel_.positions, x);
@@ -82,6 +86,7 @@ private:
 		springs_.addHessian(positions_, true, hessian_);
 		for (int t = 0; t < panel_.triangleCount(); ++t)
 			addElement(t, gradient);
+		addBorder(gradient);
 		const Eigen::VectorXd downward = -gradient.reshaped();
 		const Eigen::VectorXd direction =
 			factorization_.factorize(hessian_.matrix()) ? factorization_.solve(downward) : downward;
@@ -110,6 +115,16 @@ private:
 				hessian_.add(corners[row], corners[column], scale_ * block);
 			}
 		}
+	}
+
+	void addBorder(PlanePositions& gradient) {
+		for (const BorderFans::EdgeElement& element : penalty_.borderElements(positions_))
+			for (int row = 0; row < 2; ++row) {
+				gradient.col(element.ends[row]) += scale_ * element.gradient.segment<2>(2 * row);
+				for (int column = 0; column <= row; ++column)
+					hessian_.add(element.ends[row], element.ends[column],
+								 scale_ * element.hessian.block<2, 2>(2 * row, 2 * column));
+			}
 	}
 
 	const PanelMesh& panel_;

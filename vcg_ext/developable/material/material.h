@@ -6,6 +6,7 @@
 #pragma once
 
 #include "bending_radius.h"
+#include "border_fans.h"
 #include "hardening.h"
 #include "rounded_penalty.h"
 #include "strain_bounds.h"

@@ -103,7 +103,7 @@ StrainPenalty::Slope StrainPenalty::slope(const Direction& direction, double str
 }
 
 double StrainPenalty::value(const Positions& shaped, const Eigen::Matrix2Xd& flat) const {
-	double sum = 0;
+	double sum = triangles_.fans.value(edge_, flat);
 	for (int t = 0; t < triangles_.count(); ++t) {
 		const TriangleStrain triangle = strain(t, shaped, flat);
 		if (!(triangle.flatArea > 0) || !(triangle.least > 0))

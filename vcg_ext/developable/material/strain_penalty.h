@@ -2,6 +2,7 @@
 // strain_penalty.h: what it costs to leave the bounds, with its derivatives by both shape and pattern.
 #pragma once
 
+#include "border_fans.h"
 #include "rounded_penalty.h"
 #include "strain_bounds.h"
 #include "triangle_strain.h"
@@ -19,7 +20,8 @@ struct StrainedTriangles {
 	Eigen::Matrix3Xi flat;   ///< 3 x triangles, columns of plane positions
 	Eigen::VectorXd weights; ///< per triangle, its share of the area
 	std::vector<double>
-		grain; ///< per triangle, the direction of the warp in the plane, rad; empty: undirected
+		grain;       ///< per triangle, the direction of the warp in the plane, rad; empty: undirected
+	BorderFans fans; ///< where the pattern might overlap itself; none: that is not looked at
 
 	int count() const { return static_cast<int>(flat.cols()); }
 };
@@ -27,8 +29,9 @@ struct StrainedTriangles {
 /// The cost Ψ of strains e = log |F v| along unit vectors v of the pattern: those of the singular values, or
 /// warp, weft and both diagonals. With bounds l ≤ e ≤ h and a triangle's weight w,
 ///     Ψ = Σ w (γ/2 e² + p(e − h) + p(l − e))
-/// with the RoundedPenalty p. The little elastic energy makes the pattern unique where no bound is touched.
-/// Second derivatives count that principal directions turn, and leave out what would make them indefinite.
+/// with the RoundedPenalty p, and the cost of the BorderFans. The little elastic energy makes the pattern
+/// unique where no bound is touched. Second derivatives count that principal directions turn, and leave out
+/// what would make them indefinite.
 class StrainPenalty {
 public:
 	/// Derivatives by so many coordinates.
@@ -62,6 +65,11 @@ public:
 	/// Of one triangle. The pattern must not be flipped there.
 	Element element(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 	FlatElement flatElement(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+
+	/// What border fans add.
+	std::vector<BorderFans::EdgeElement> borderElements(const Eigen::Matrix2Xd& flat) const {
+		return triangles_.fans.elements(edge_, flat);
+	}
 
 	/// By how much each triangle is beyond its bounds, as a strain; 0 within.
 	Eigen::VectorXd violations(const Positions& shaped, const Eigen::Matrix2Xd& flat) const;

@@ -13,6 +13,7 @@ CutResult cutIntoPanels(const TriangleMesh& mesh, const PatchOptions& patches, c
 				  "The crease angle must be between 0 and 180 degrees.");
 	requireOption(!std::isnan(options.maxDisplacement) && !std::isinf(options.maxDisplacement),
 				  "The greatest displacement must be a number.");
+	requireValid(options.material.bounds);
 	return detail::PanelPlan(mesh, patches, options, neverBack(progress)).run();
 }
 

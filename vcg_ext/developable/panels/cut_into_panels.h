@@ -9,6 +9,7 @@
 #pragma once
 
 #include "cut_mesh.h"
+#include "panel_material.h"
 
 #include "developable/mesh/mesh.h"
 
@@ -21,6 +22,7 @@ struct CutOptions {
 	/// How far a vertex may move when the panels are made developable together, length; negative: 2 % of the
 	/// diagonal of each part (what shares vertices or is sewn together).
 	double maxDisplacement = -1;
+	PanelMaterial material;     ///< what the panels may be strained by when they are laid flat
 	int maxPanels = 0;          ///< 0: as many as it takes
 	bool darts = true;          ///< seams may stay in part, as darts
 	double creaseAngle = 40;    ///< seams like to lie on edges whose faces turn by more than this, degrees
@@ -31,11 +33,13 @@ struct CutOptions {
 /// One panel, and what becomes of it when all are made developable together.
 struct CutPanel {
 	int triangles = 0;
-	double area = 0;            ///< length²
-	bool developable = false;   ///< within the greatest displacement
-	double curvatureBefore = 0; ///< C, rad
+	double area = 0;          ///< length²
+	bool developable = false; ///< or within what its material bears, and within the greatest displacement
+	Reason reason = Reason::AsStatus; ///< why not: TooFar, NeedsCut or BeyondBounds
+	double curvatureBefore = 0;       ///< C, rad
 	double curvatureAfter = 0;
 	double maxAngleDefect = 0;   ///< after, rad
+	double beyondBounds = 0;     ///< by how much a strain is beyond what the material bears, as a share
 	double meanDisplacement = 0; ///< over its vertices, length
 	double maxDisplacement = 0;
 	Eigen::Vector3d worstPoint = Eigen::Vector3d::Zero(); ///< where most curvature is left, or most is moved

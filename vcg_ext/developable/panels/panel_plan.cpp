@@ -66,7 +66,7 @@ PanelPlan::PanelPlan(const TriangleMesh& mesh, const PatchOptions& patches, cons
 	: options_(options) {
 	separatePatches(mesh, patches);
 	surface_ = std::make_unique<CutSurface>(assemblePatches(mesh_, {}));
-	tests_ = std::make_unique<PanelTests>(maxDisplacements(), progress);
+	tests_ = std::make_unique<PanelTests>(maxDisplacements(), options_.material, progress);
 }
 
 void PanelPlan::separatePatches(const TriangleMesh& mesh, const PatchOptions& patches) {
@@ -222,7 +222,7 @@ SewnPanels PanelPlan::sewTogether(double share, bool brief) {
 	std::vector<double> limits = maxDisplacements();
 	for (double& limit : limits)
 		limit *= share;
-	return developSewnPanels(asCut(), *surface_, limits, brief, progressOfRest());
+	return developSewnPanels(asCut(), *surface_, limits, options_.material, brief, progressOfRest());
 }
 
 /// Sewn together, panels pull at each other.

@@ -49,6 +49,42 @@ bool liesFlat(const PatchAssembly& assembly, const Positions& positions) {
 		   piece.maxEdgeStrain < greatestStrain;
 }
 
+/// \return whether the places have moved no farther than they may
+bool isNear(const PatchAssembly& assembly, const Positions& positions, const PanelLimits& limits,
+			PanelVerdict& verdict) {
+	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
+	verdict.maxDisplacement = moves.maxCoeff();
+	verdict.meanDisplacement = moves.mean();
+	return verdict.maxDisplacement <= limits.maxDisplacement &&
+		   verdict.meanDisplacement <= limits.meanDisplacement;
+}
+
+void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
+					PanelVerdict& verdict) {
+	Positions positions = assembly.originalPositions;
+	verdict.worstPoint = worstPoint(assembly, positions);
+	const ConstrainedNewtonReport report =
+		constrainedNewton(assembly, positions, briefRun(limits.maxDisplacement), progress);
+	const bool near = isNear(assembly, positions, limits, verdict);
+	if (!converged(report.status))
+		verdict.worstPoint = worstPoint(assembly, positions);
+	else
+		verdict.flat = near && liesFlat(assembly, positions);
+}
+
+void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
+				  PanelVerdict& verdict) {
+	const Outlook outlook = outlookOf(assembly, limits.material, limits.maxDisplacement);
+	if (outlook == Outlook::MostlyMoves)
+		testUnstrained(assembly, limits, progress, verdict); // which is quicker
+	if (outlook == Outlook::Hopeless || verdict.flat)
+		return;
+	Positions positions = assembly.originalPositions;
+	bringWithinBounds(assembly, positions, limits.material, limits.maxDisplacement, true, progress);
+	verdict.flat = isNear(assembly, positions, limits, verdict) &&
+				   judgePatterns(assembly, positions, limits.material).front().holds();
+}
+
 } // namespace
 
 bool isDisk(const TriangleMesh& mesh) {
@@ -61,20 +97,11 @@ PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, cons
 	if (!isSheet(assembly))
 		return verdict;
 	verdict.disk = isDisk(assembly);
-	Positions positions = assembly.originalPositions;
-	verdict.worstPoint = worstPoint(assembly, positions);
-	const ConstrainedNewtonReport report =
-		constrainedNewton(assembly, positions, briefRun(limits.maxDisplacement), progress);
-	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
-	verdict.maxDisplacement = moves.maxCoeff();
-	verdict.meanDisplacement = moves.mean();
-	if (!converged(report.status)) {
-		verdict.worstPoint = worstPoint(assembly, positions);
-		return verdict;
-	}
 	try {
-		verdict.flat = verdict.maxDisplacement <= limits.maxDisplacement &&
-					   verdict.meanDisplacement <= limits.meanDisplacement && liesFlat(assembly, positions);
+		if (limits.material.bounds.any())
+			testStrained(assembly, limits, progress, verdict);
+		else
+			testUnstrained(assembly, limits, progress, verdict);
 	} catch (const PatchWithHandles&) {
 		verdict.flat = false;
 	}

@@ -3,6 +3,8 @@
 // lies flat without overlap.
 #pragma once
 
+#include "panel_material.h"
+
 #include "developable/mesh/mesh.h"
 
 namespace developable::detail {
@@ -11,6 +13,7 @@ namespace developable::detail {
 struct PanelLimits {
 	double maxDisplacement = 0;  ///< of any vertex, length
 	double meanDisplacement = 0; ///< over its vertices, length
+	PanelMaterial material;
 };
 
 struct PanelVerdict {

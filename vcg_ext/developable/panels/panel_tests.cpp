@@ -9,27 +9,41 @@ namespace {
 constexpr double shareAlone = 0.75;    ///< of the greatest displacement: what a panel may need by itself
 constexpr double meanOfGreatest = 0.3; ///< mean displacement as a share of the greatest
 
+/// What a verdict depends on, within a patch.
+std::pair<std::vector<double>, std::vector<int>> keyOf(const TriangleMesh& panel) {
+	return {{panel.positions.data(), panel.positions.data() + panel.positions.size()},
+			{panel.triangles.data(), panel.triangles.data() + panel.triangles.size()}};
+}
+
 } // namespace
 
-PanelTests::PanelTests(std::vector<double> maxDisplacement, Progress progress)
-	: maxDisplacement_(std::move(maxDisplacement)), progress_(std::move(progress)) {}
+PanelTests::PanelTests(std::vector<double> maxDisplacement, const PanelMaterial& material, Progress progress)
+	: maxDisplacement_(std::move(maxDisplacement)), material_(material), progress_(std::move(progress)) {}
 
 PanelLimits PanelTests::limitsOf(int patch) const {
 	const double greatest = relaxed_ * shareAlone * maxDisplacement_[patch];
-	return {greatest, meanOfGreatest * greatest};
+	return {greatest, meanOfGreatest * greatest, material_};
 }
 
 std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {
 	std::vector<PanelVerdict> verdicts(trials.size());
 	std::vector<Task> tasks;
 	tasks.reserve(trials.size());
-	for (std::size_t i = 0; i < trials.size(); ++i)
+	for (std::size_t i = 0; i < trials.size(); ++i) {
+		const auto known = known_.find(keyOf(trials[i].panel));
+		if (known != known_.end()) {
+			verdicts[i] = known->second;
+			continue;
+		}
 		tasks.push_back({1, [&, i](const Progress& progress) {
 							 if (!stopped_)
 								 verdicts[i] =
 									 testPanel(trials[i].panel, limitsOf(trials[i].patch), progress);
 						 }});
+	}
 	runTasks(tasks, 0, [&](double, const std::string&) { return mayGoOn(fractionDone_, message_); });
+	for (std::size_t i = 0; i < trials.size() && !stopped_; ++i)
+		known_.emplace(keyOf(trials[i].panel), verdicts[i]);
 	return verdicts;
 }
 

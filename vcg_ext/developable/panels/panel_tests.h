@@ -6,6 +6,7 @@
 #include "panel_test.h"
 
 #include <atomic>
+#include <map>
 
 namespace developable::detail {
 
@@ -18,12 +19,15 @@ struct PanelTrial {
 class PanelTests {
 public:
 	/// \param maxDisplacement  per patch of the surface, length
-	PanelTests(std::vector<double> maxDisplacement, Progress progress);
+	PanelTests(std::vector<double> maxDisplacement, const PanelMaterial& material, Progress progress);
 
 	/// Within what a patch's panels have to stay, by themselves: sewn together they will move a little more.
 	PanelLimits limitsOf(int patch) const;
 	/// All limits are so many times what they were.
-	void relax(double factor) { relaxed_ *= factor; }
+	void relax(double factor) {
+		relaxed_ *= factor;
+		known_.clear();
+	}
 
 	std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials);
 
@@ -33,8 +37,10 @@ public:
 
 private:
 	const std::vector<double> maxDisplacement_;
+	const PanelMaterial material_;
 	const Progress progress_;
 	double relaxed_ = 1;
+	std::map<std::pair<std::vector<double>, std::vector<int>>, PanelVerdict> known_; // by vertices, triangles
 	std::atomic<bool> stopped_{false};
 	double fractionDone_ = 0;
 	std::string message_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sewn_panels.cpp: one run of the constrained Newton method, read panel by panel.
+// sewn_panels.cpp: one run of the method that Global Developability will use, read panel by panel.
 #include "sewn_panels.h"
 
 #include "developable/flatten/flatten.h"
@@ -21,49 +21,41 @@ bool markClosed(const PatchAssembly& assembly, const CutSurface& surface, SewnPa
 		if (panel.developable)
 			continue;
 		any = true;
+		panel.reason = Reason::NeedsCut;
 		panel.maxDisplacement = boxDiagonal(surface.positions());
 		panel.curvatureAfter = 4 * pi; // of a closed surface it is never less
 	}
 	return any;
 }
 
-/// Panels that overlap themselves when laid flat are none, however developable.
-void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
-					const std::vector<int>& panelOfPatch, std::vector<CutPanel>& panels) {
-	const FlatPatterns patterns = flattenPatches(assembly, positions);
-	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch)
-		if (patterns.pieces[patch].overlapping)
-			panels[panelOfPatch[patch]].developable = false;
+/// The panel of each patch of the assembly.
+std::vector<int> panelsOfPatches(const PatchAssembly& assembly, const CutSurface& surface) {
+	std::vector<int> panels(assembly.patchCount());
+	for (int t = 0; t < assembly.triangleCount(); ++t)
+		panels[assembly.patchOfTriangle[t]] = surface.panelOf(assembly.faceOfTriangle[t]);
+	return panels;
 }
 
-} // namespace
+/// Of each panel its limit, of those per patch of the surface.
+std::vector<double> limitsOfPanels(const CutSurface& surface, const std::vector<double>& maxDisplacement) {
+	std::vector<double> limits(surface.panelCount(), 0);
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		if (!surface.trianglesOf(panel).empty())
+			limits[panel] =
+				maxDisplacement[surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()]];
+	return limits;
+}
 
-SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
-							 const std::vector<double>& maxDisplacement, bool brief,
-							 const Progress& progress) {
-	const PatchAssembly assembly = assemblePatches(mesh, {});
-	SewnPanels result;
-	result.panels.resize(surface.panelCount());
-	if (markClosed(assembly, surface, result))
-		return result;
-	Positions positions = assembly.originalPositions;
-	const Eigen::VectorXd before = angleDefects(assembly, positions);
-	ConstrainedNewtonOptions options;
-	if (brief)
-		options.tuning.attempts = 1;
-	const ConstrainedNewtonReport run = constrainedNewton(assembly, positions, options, progress);
+/// Moves and curvature of every panel.
+/// \param limits  per panel: what is moved farther is what is worst
+void measurePanels(const PatchAssembly& assembly, const Positions& positions, const CutSurface& surface,
+				   const std::vector<int>& panelOfPatch, const std::vector<double>& limits,
+				   SewnPanels& result) {
+	const Eigen::VectorXd before = angleDefects(assembly, assembly.originalPositions);
 	const Eigen::VectorXd after = angleDefects(assembly, positions);
 	const Eigen::VectorXd moves = displacementMap(assembly.originalPositions, positions);
-
-	result.status = run.status;
 	result.meanDisplacement = moves.mean();
 	result.maxDisplacement = moves.maxCoeff();
-	std::vector<int> panelOfPatch(assembly.patchCount());
-	for (int t = 0; t < assembly.triangleCount(); ++t)
-		panelOfPatch[assembly.patchOfTriangle[t]] = surface.panelOf(assembly.faceOfTriangle[t]);
-	const auto patchOf = [&](int panel) {
-		return surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()];
-	};
 	std::vector<int> copies(surface.panelCount(), 0);
 	std::vector<double> worst(surface.panelCount(), -1);
 	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
@@ -75,27 +67,95 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 		report.meanDisplacement += moves[place];
 		report.maxDisplacement = std::max(report.maxDisplacement, moves[place]);
 		++copies[panel];
-		// What is moved too far counts first.
-		const double far = moves[place] > maxDisplacement[patchOf(panel)] ? 1e3 * moves[place] : 0;
+		const double far = moves[place] > limits[panel] ? 1e3 * moves[place] : 0;
 		if (std::abs(after[copy]) + far > worst[panel]) {
 			worst[panel] = std::abs(after[copy]) + far;
 			report.worstPoint = assembly.originalPositions.col(place);
 		}
 	}
-	for (int panel = 0; panel < surface.panelCount(); ++panel) {
-		CutPanel& report = result.panels[panel];
-		report.triangles = static_cast<int>(surface.trianglesOf(panel).size());
-		if (report.triangles == 0)
-			continue;
-		report.area = surface.area(panel);
-		report.meanDisplacement /= copies[panel];
-		report.developable = report.curvatureAfter <= options.curvatureTolerance &&
-							 report.maxAngleDefect <= options.angleTolerance &&
-							 report.maxDisplacement <= maxDisplacement[patchOf(panel)];
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		if (copies[panel] > 0) {
+			result.panels[panel].triangles = static_cast<int>(surface.trianglesOf(panel).size());
+			result.panels[panel].area = surface.area(panel);
+			result.panels[panel].meanDisplacement /= copies[panel];
+		}
+}
+
+/// Panels that overlap themselves when laid flat are none, however developable.
+void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
+					const std::vector<int>& panelOfPatch, std::vector<CutPanel>& panels) {
+	const FlatPatterns patterns = flattenPatches(assembly, positions);
+	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch)
+		if (patterns.pieces[patch].overlapping) {
+			panels[panelOfPatch[patch]].developable = false;
+			panels[panelOfPatch[patch]].reason = Reason::NeedsCut;
+		}
+}
+
+/// \param otherwise  what is wrong where it does not hold
+void judge(CutPanel& panel, bool holds, Reason otherwise, double limit) {
+	panel.developable = holds && panel.maxDisplacement <= limit;
+	const Reason why = holds ? Reason::TooFar : otherwise;
+	panel.reason = panel.developable ? Reason::AsStatus : why;
+}
+
+/// Zero strain.
+void judgeCurvature(const PatchAssembly& assembly, const Positions& positions,
+					const ConstrainedNewtonOptions& options, const std::vector<int>& panelOfPatch,
+					const std::vector<double>& limits, std::vector<CutPanel>& panels) {
+	bool all = true;
+	for (const int panel : panelOfPatch) {
+		CutPanel& report = panels[panel];
+		const bool flat = report.curvatureAfter <= options.curvatureTolerance &&
+						  report.maxAngleDefect <= options.angleTolerance;
+		judge(report, flat, Reason::NeedsCut, limits[panel]);
+		all = all && report.developable;
 	}
-	if (std::all_of(result.panels.begin(), result.panels.end(),
-					[](const CutPanel& panel) { return panel.triangles == 0 || panel.developable; }))
-		refuseOverlaps(assembly, positions, panelOfPatch, result.panels);
+	if (all)
+		refuseOverlaps(assembly, positions, panelOfPatch, panels);
+}
+
+/// Strain within bounds.
+void judgeStrain(const PatchAssembly& assembly, const Positions& positions, const PanelMaterial& material,
+				 const std::vector<int>& panelOfPatch, const std::vector<double>& limits,
+				 std::vector<CutPanel>& panels) {
+	const std::vector<PatternVerdict> verdicts = judgePatterns(assembly, positions, material);
+	for (std::size_t patch = 0; patch < verdicts.size(); ++patch) {
+		CutPanel& report = panels[panelOfPatch[patch]];
+		report.beyondBounds = verdicts[patch].beyondBounds;
+		const bool beyond = report.beyondBounds > patternTolerance;
+		judge(report, verdicts[patch].holds(), beyond ? Reason::BeyondBounds : Reason::NeedsCut,
+			  limits[panelOfPatch[patch]]);
+		if (beyond)
+			report.worstPoint = verdicts[patch].worstPoint;
+	}
+}
+
+} // namespace
+
+SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
+							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
+							 bool brief, const Progress& progress) {
+	const PatchAssembly assembly = assemblePatches(mesh, {});
+	SewnPanels result;
+	result.panels.resize(surface.panelCount());
+	if (markClosed(assembly, surface, result))
+		return result;
+	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
+	const std::vector<double> limits = limitsOfPanels(surface, maxDisplacement);
+	ConstrainedNewtonOptions options;
+	if (brief)
+		options.tuning.attempts = 1;
+	Positions positions = assembly.originalPositions;
+	if (material.bounds.any())
+		bringWithinBounds(assembly, positions, material, options.maxDisplacement, brief, progress);
+	else
+		constrainedNewton(assembly, positions, options, progress);
+	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
+	if (material.bounds.any())
+		judgeStrain(assembly, positions, material, panelOfPatch, limits, result.panels);
+	else
+		judgeCurvature(assembly, positions, options, panelOfPatch, limits, result.panels);
 	return result;
 }
 

@@ -9,7 +9,6 @@ namespace developable::detail {
 
 /// What becomes of the panels, sewn together.
 struct SewnPanels {
-	Status status = Status::NothingToDo;
 	std::vector<CutPanel> panels; ///< by the surface's numbers of panels; empty ones have no triangles
 	double meanDisplacement = 0;
 	double maxDisplacement = 0;
@@ -19,9 +18,10 @@ struct SewnPanels {
 /// order
 ///                         of vertices; its `face` are triangles of the surface
 /// \param maxDisplacement  per patch of the surface
+/// \param material         without any strain all have to become developable
 /// \param brief            a run that gives up early
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
-							 const std::vector<double>& maxDisplacement, bool brief,
-							 const Progress& progress);
+							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
+							 bool brief, const Progress& progress);
 
 } // namespace developable::detail

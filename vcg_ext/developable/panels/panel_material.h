@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_material.h: what the panels are made of, and whether one that may be strained holds.
+#pragma once
+
+#include "developable/material/material.h"
+#include "developable/mesh/mesh.h"
+
+namespace developable {
+
+/// What panels bear between their flat patterns and the shape. Without any strain they have to become
+/// developable.
+struct PanelMaterial {
+	StrainBounds bounds = {};
+	Grain grain = Grain::LongestSeam; ///< of directed bounds
+};
+
+namespace detail {
+
+/// Moves places to the nearest shape whose patterns are within the bounds, as Global Developability will.
+/// \param maxDisplacement  as in BoundedStrainOptions
+/// \param brief            a run that gives up early
+void bringWithinBounds(const PatchAssembly& assembly, Positions& positions, const PanelMaterial& material,
+					   double maxDisplacement, bool brief, const Progress& progress);
+
+/// What a panel's pattern of least squares lets expect.
+enum class Outlook {
+	Hopeless,     ///< it overlaps itself, or is strained by more than can be borne and moved away
+	MostlyMoves,  ///< the material bears a small part of its strain: as without any it will hold or not
+	MostlyStrains ///< or a large part
+};
+
+/// A round cap of radius r that rises by h is strained by some h / (6 r) on average: so much less is left
+/// when places move.
+Outlook outlookOf(const PatchAssembly& panel, const PanelMaterial& material, double maxDisplacement);
+
+struct PatternVerdict {
+	double beyondBounds = 0; ///< by how much a strain is beyond its bound, at most
+	bool usable = true;      ///< it neither overlaps itself, nor had to be cut, nor flips
+	Eigen::Vector3d worstPoint = Eigen::Vector3d::Zero(); ///< where on the model that is
+
+	bool holds() const { return usable && beyondBounds <= patternTolerance; }
+};
+
+/// One for each patch, laid flat within the bounds.
+std::vector<PatternVerdict> judgePatterns(const PatchAssembly& assembly, const Positions& positions,
+										  const PanelMaterial& material);
+
+} // namespace detail
+
+} // namespace developable
