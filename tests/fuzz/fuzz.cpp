@@ -60,12 +60,7 @@ void runSeed(Record& record) {
 	PatchAssembly assembly;
 	Findings ofAssembly;
 	++record.calls;
-	const bool assembled = attempt(
-		[&] {
-			assembly = assemblePatches(mesh, options);
-			checkAssembly(mesh, options, assembly, ofAssembly);
-		},
-		ofAssembly);
+	const bool assembled = assembleAndCheck(mesh, options, assembly, ofAssembly);
 	++(assembled ? record.assembled : record.refusedMeshes);
 	bool found = reportFindings(record.seed, "assemblePatches", ofAssembly);
 	for (std::size_t m = 0; assembled && m < methods.size(); ++m) {
