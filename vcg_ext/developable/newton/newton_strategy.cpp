@@ -24,7 +24,7 @@ Positions soundStart(const NewtonProblem& problem, const Positions& displacement
 	const double farthest = displacement.colwise().norm().maxCoeff();
 	double share = farthest > problem.goal().farthest ? margin * problem.goal().farthest / farthest : 1;
 	for (int halving = 0; halving < 10; ++halving, share /= 2) {
-		const Positions start = original + share * displacement;
+		Positions start = original + share * displacement;
 		if (farthestMove(problem.assembly(), start) <= problem.goal().farthest &&
 			problem.soundness().holds(start))
 			return start;
