@@ -28,12 +28,14 @@ CMeshO::PerVertexAttributeHandle<Point> originalPositions(CMeshO& mesh) {
 		throw MissingAttribute(
 			"The layer has no attribute 'original_position' to go back to: Global and Local Developability "
 			"leave one. Files do not keep it; File, Reload reads the shape that a file has.");
-	std::size_t invalid = 0;
+	std::vector<std::size_t> invalid;
 	for (std::size_t vertex = 0; vertex < mesh.vert.size(); ++vertex)
-		invalid += !mesh.vert[vertex].IsD() && !isFinite(original[vertex]);
-	if (invalid > 0)
-		throw MissingAttribute(counted(invalid, "vertex has", "vertices have") +
-							   " an 'original_position' that is not a number: compute it anew.");
+		if (!mesh.vert[vertex].IsD() && !isFinite(original[vertex]))
+			invalid.push_back(vertex);
+	if (!invalid.empty())
+		throw MissingAttribute(counted(invalid.size(), "vertex has", "vertices have") +
+							   " an 'original_position' that is not a number: compute it anew. See vertex " +
+							   std::to_string(invalid.front()) + ".");
 	return original;
 }
 

@@ -104,6 +104,8 @@ def save(meshes: Any, path: Path) -> None:
 
     Raises InvalidMeshError in the writer's own words. A full disk is no error to many a writer.
     """
+    if path.suffix.lower() == ".u3d":  # it ends without the file, but with one beside some folder above
+        raise InvalidMeshError("pymeshlab's writer of U3D does not work: choose another format")
     try:
         meshes.save_current_mesh(_name(path))
     except pymeshlab.PyMeshLabException as error:

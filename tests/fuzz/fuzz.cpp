@@ -5,7 +5,8 @@
 //
 // runs the seeds from SEED on, COUNT of them or as many as fit into SECONDS. Each either has to throw one of
 // the library's own exceptions or to give a result that stands up to oracles.h. Says what does not, with its
-// seed, and how often each method came to a result. Exit code 1 when anything was found.
+// seed, how many calls there were and how often each method came to a result. Exit code 1 when anything was
+// found.
 //
 // A child process does the work, so that a failed assertion or a sanitizer's verdict costs one seed only.
 #include "hostile_mesh.h"
@@ -35,6 +36,7 @@ struct Record {
 	const char* method = ""; ///< alike; parent and child have their texts in the same place
 	long end = 0;
 	long withFindings = 0;
+	long calls = 0; ///< of a reader or a method on one input
 	long assembled = 0, refusedMeshes = 0;
 	std::array<long, methods.size()> completed = {}, refused = {};
 };
@@ -57,12 +59,8 @@ void runSeed(Record& record) {
 	const PatchOptions options = hostilePatchOptions(random, mesh);
 	PatchAssembly assembly;
 	Findings ofAssembly;
-	const bool assembled = attempt(
-		[&] {
-			assembly = assemblePatches(mesh, options);
-			checkAssembly(mesh, options, assembly, ofAssembly);
-		},
-		ofAssembly);
+	++record.calls;
+	const bool assembled = assembleAndCheck(mesh, options, assembly, ofAssembly);
 	++(assembled ? record.assembled : record.refusedMeshes);
 	bool found = reportFindings(record.seed, "assemblePatches", ofAssembly);
 	for (std::size_t m = 0; assembled && m < methods.size(); ++m) {
@@ -70,6 +68,7 @@ void runSeed(Record& record) {
 			continue;
 		record.method = methods[m].name;
 		Findings findings;
+		++record.calls;
 		const bool done = attempt([&] { methods[m].run(random, assembly, findings); }, findings);
 		++(done ? record.completed : record.refused)[m];
 		found |= reportFindings(record.seed, methods[m].name, findings);
@@ -118,7 +117,8 @@ int fuzz(long seed, long count, long seconds) {
 	while (record.seed < record.end)
 		runInChild(record, deadline);
 
-	std::cout << record.seed - seed << " seeds, " << record.withFindings << " with findings\n"
+	std::cout << record.seed - seed << " seeds, " << record.calls << " calls, " << record.withFindings
+			  << " seeds with findings\n"
 			  << "assemblePatches: " << record.assembled << " results, " << record.refusedMeshes
 			  << " refusals\n";
 	bool idle = record.assembled == 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 
 namespace developable::fuzz {
@@ -89,7 +90,81 @@ void checkPlaces(const TriangleMesh& mesh, const PatchOptions& options, const Pa
 	}
 }
 
+/// Numbers of vertices with coordinates that are none.
+std::vector<int> verticesNowhere(const TriangleMesh& mesh) {
+	std::vector<int> found;
+	for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+		if (!std::isfinite(mesh.positions.col(vertex).sum()))
+			found.push_back(vertex);
+	return found;
+}
+
+/// Numbers of faces that are lower than so many times the least share of their longest edge.
+std::vector<int> facesThinnerThan(const TriangleMesh& mesh, double times) {
+	std::vector<int> found;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const auto corner = [&](int i) { return mesh.positions.col(mesh.triangles(i % 3, t)); };
+		double longest = 0;
+		for (int i = 0; i < 3; ++i)
+			longest = std::max(longest, (corner(i + 1) - corner(i)).norm());
+		const Eigen::Vector3d a = (corner(1) - corner(0)) / longest, b = (corner(2) - corner(0)) / longest;
+		if (!(a.cross(b).norm() > times * mesh.leastHeightRatio))
+			found.push_back(mesh.face[t]);
+	}
+	return found;
+}
+
+/// The number behind some words of a sentence, or at its beginning; -1 when it has not got them.
+int numberIn(const std::string& sentence, const std::string& words) {
+	const std::size_t found = sentence.find(words);
+	return found == std::string::npos ? -1 : std::atoi(sentence.c_str() + found + words.size());
+}
+
+bool among(const std::vector<int>& numbers, int number) {
+	return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
+void checkBlameOfCoordinates(const TriangleMesh& mesh, const std::string& sentence, Findings& findings) {
+	const std::vector<int> nowhere = verticesNowhere(mesh);
+	findings.expect(numberIn(sentence, "") == int(nowhere.size()) &&
+						among(nowhere, numberIn(sentence, "See vertex ")),
+					"not true of " + std::to_string(nowhere.size()) + " vertices: " + sentence);
+}
+
+/// Where rounding decides about a triangle, both are true.
+void checkBlameOfTriangles(const TriangleMesh& mesh, const std::string& sentence, Findings& findings) {
+	const std::vector<int> surely = facesThinnerThan(mesh, 1 - 1e-3),
+						   perhaps = facesThinnerThan(mesh, 1 + 1e-3);
+	const int said = numberIn(sentence, "");
+	findings.expect(said >= int(surely.size()) && said <= int(perhaps.size()) &&
+						among(perhaps, numberIn(sentence, "See face ")),
+					"not true of " + std::to_string(surely.size()) + " faces: " + sentence);
+}
+
 } // namespace
+
+bool assembleAndCheck(const TriangleMesh& mesh, const PatchOptions& options, PatchAssembly& assembly,
+					  Findings& findings) {
+	const bool facesAsTheyAre = options.weldDistance == 0 && !options.onlySelected;
+	return attempt(
+		[&] {
+			try {
+				assembly = assemblePatches(mesh, options);
+			} catch (const InvalidCoordinate& error) {
+				checkBlameOfCoordinates(mesh, error.what(), findings);
+				throw;
+			} catch (const DegenerateTriangle& error) {
+				if (facesAsTheyAre)
+					checkBlameOfTriangles(mesh, error.what(), findings);
+				throw;
+			}
+			findings.expect(verticesNowhere(mesh).empty(), "coordinates that are no numbers are not refused");
+			findings.expect(!facesAsTheyAre || facesThinnerThan(mesh, 1 - 1e-3).empty(),
+							"thin faces are not refused");
+			checkAssembly(mesh, options, assembly, findings);
+		},
+		findings);
+}
 
 OwnDefects ownDefects(const PatchAssembly& assembly, const Positions& positions, AtBorders atBorders) {
 	OwnDefects defects{Eigen::VectorXd::Constant(assembly.copyCount(), 2 * pi),

@@ -65,6 +65,12 @@ std::vector<double> ownPatchCurvatures(const PatchAssembly& assembly, const OwnD
 void checkAssembly(const TriangleMesh& mesh, const PatchOptions& options, const PatchAssembly& assembly,
 				   Findings& findings);
 
+/// Takes a mesh apart and checks what comes of it. A refusal that blames coordinates or thin triangles has to
+/// be true of as many as it says and of the one that it names; a mesh that has such is refused.
+/// \return whether it came to an assembly
+bool assembleAndCheck(const TriangleMesh& mesh, const PatchOptions& options, PatchAssembly& assembly,
+					  Findings& findings);
+
 /// What all methods promise: finite coordinates, held places exactly where they were, no more G than before.
 void checkResult(const PatchAssembly& assembly, const Positions& before, const Positions& after,
 				 Findings& findings, AtBorders atBorders = AtBorders::Nothing);

@@ -28,6 +28,7 @@ void runTriangulatePolygon(Random& random, const PatchAssembly& assembly, Findin
 void runDistancesToSurface(Random& random, const PatchAssembly& assembly, Findings& findings);
 void runBoundedStrain(Random& random, const PatchAssembly& assembly, Findings& findings);
 void runCutIntoPanels(Random& random, const PatchAssembly& assembly, Findings& findings);
+void runReader(Random& random, const PatchAssembly& assembly, Findings& findings);
 
 inline constexpr std::array methods = {Method{"measure", runMeasure},
 									   Method{"constrainedNewton", runConstrainedNewton},
@@ -37,6 +38,7 @@ inline constexpr std::array methods = {Method{"measure", runMeasure},
 									   Method{"triangulatePolygon", runTriangulatePolygon},
 									   Method{"distancesToSurface", runDistancesToSurface},
 									   Method{"boundedStrain", runBoundedStrain, 0.1},
-									   Method{"cutIntoPanels", runCutIntoPanels, 0.05}};
+									   Method{"cutIntoPanels", runCutIntoPanels, 0.05},
+									   Method{"readPatches", runReader}};
 
 } // namespace developable::fuzz

@@ -48,7 +48,7 @@ CORE = {"newton", "maps", "flatten"}
 def verdict(answer, variant):
     """What has to be the same: refused or not, and how it ended."""
     if answer.refusal:
-        return answer.refusal.split(":")[-1]
+        return answer.refusal.split(":")[-1].split(" See ")[0]
     if variant == "local":  # its end hangs on the last bits: see docs/examples.md
         return answer.numbers["detect_function_after"] < 0.5 * answer.numbers["detect_function_before"]
     return answer.numbers.get("status"), answer.numbers.get("panels_converged"), answer.numbers.get("pieces")
@@ -111,7 +111,7 @@ def test_size_does_not_matter(kind, variant):
             assert np.isfinite(answer.positions).all()
             assert np.isfinite(answer.quality).all()
             assert answer.pattern is None or np.isfinite(answer.pattern).all()
-        assert_alike(before, answer, variant, scale)
+        assert_alike(before, answer, variant, scale, kind in TIES)
 
 
 @pytest.mark.parametrize(

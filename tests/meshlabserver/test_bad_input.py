@@ -40,7 +40,7 @@ def test_no_faces(name, tmp_path):
 def test_a_coordinate_that_is_no_number(name, tmp_path):
     spoil, ours = mlx_scripts.spoiled_vertex(20), mlx_scripts.filter_element(name)
     sentence = refusal(tmp_path, bump(), spoil, ours)
-    assert sentence == "1 vertex has a coordinate that is infinite or not a number: remove it."
+    assert sentence == "1 vertex has a coordinate that is infinite or not a number: remove it. See vertex 20."
 
 
 @ALL

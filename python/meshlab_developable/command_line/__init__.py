@@ -39,7 +39,12 @@ class Commands(click.Group):
             from meshlab_developable.command_line.guard import continue_in_child
 
             continue_in_child()
-        return super().__call__(*arguments, **keywords)
+        try:
+            return super().__call__(*arguments, **keywords)
+        except OSError as error:  # commands put those of their files into words themselves
+            from meshlab_developable.command_line import shared
+
+            shared.end_with_sentence(f"what there is to say cannot be printed: {error.strerror or error}")
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Their names."""

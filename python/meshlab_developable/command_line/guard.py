@@ -25,7 +25,14 @@ def continue_in_child() -> None:
     With BAD_INPUT and a sentence when that crashes, and with 128 and the signal's number when one ends it.
     """
     parent = os.getpid()
-    child = os.fork()
+    try:
+        child = os.fork()
+    except OSError as error:
+        shared.end_with_sentence(
+            f"no process to work in could be started ({error.strerror}): end other programs, or raise the "
+            "limits of processes and memory",
+            "--json" in sys.argv,
+        )
     if child == 0:
         die_with(parent)
         if signal.getsignal(signal.SIGINT) is signal.default_int_handler:

@@ -31,12 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
 	const PatchOptions options = hostilePatchOptions(random, mesh);
 	PatchAssembly assembly;
 	Findings ofAssembly, ofMethod;
-	const bool assembled = attempt(
-		[&] {
-			assembly = assemblePatches(mesh, options);
-			checkAssembly(mesh, options, assembly, ofAssembly);
-		},
-		ofAssembly);
+	const bool assembled = assembleAndCheck(mesh, options, assembly, ofAssembly);
 	endAt("assemblePatches", ofAssembly);
 	if (assembled)
 		attempt([&] { method.run(random, assembly, ofMethod); }, ofMethod);

@@ -22,5 +22,16 @@ TEST(SpatialOrder, NumbersEachPointOnceAndNeighboursClosely) {
 	EXPECT_GT(near, 0.7 * side * side);
 }
 
+TEST(SpatialOrder, TakesWhatIsNotANumber) {
+	Positions points = grid(8, 8, flatSheet).positions;
+	for (const double strange : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+		points(1, 20) = strange;
+		std::vector<int> order = spatialOrder(points);
+		std::sort(order.begin(), order.end());
+		for (int i = 0; i < 64; ++i)
+			EXPECT_EQ(order[i], i);
+	}
+}
+
 } // namespace
 } // namespace developable::test

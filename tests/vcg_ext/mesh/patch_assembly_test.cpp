@@ -52,22 +52,22 @@ TEST(PatchAssembly, TriangleHasNoAreaBelowAShareOfItsLongestEdge) {
 	PatchAssembly assembly = assembled(fan({0.5, 0.3, 0}, {origin, x, y}));
 	const int apex = 3;
 	Positions positions = assembly.originalPositions;
-	EXPECT_EQ(countZeroAreaTriangles(assembly, positions), 0);
+	EXPECT_EQ(zeroAreaTriangles(assembly, positions).size(), 0);
 	for (const double scale : {1e-6, 1.0, 1e6}) {
 		positions = assembly.originalPositions;
 		positions(1, apex) = 0.02; // the height over the edge from the origin to x, of length 1
 		positions *= scale;
 		assembly.leastHeightRatio = 0.019;
-		EXPECT_EQ(countZeroAreaTriangles(assembly, positions), 0);
+		EXPECT_EQ(zeroAreaTriangles(assembly, positions).size(), 0);
 		assembly.leastHeightRatio = 0.021;
-		EXPECT_EQ(countZeroAreaTriangles(assembly, positions), 1);
+		EXPECT_EQ(zeroAreaTriangles(assembly, positions).size(), 1);
 	}
 	positions.col(apex) = positions.col(0); // flat are the two triangles at their common edge
-	EXPECT_EQ(countZeroAreaTriangles(assembly, positions), 2);
-	EXPECT_EQ(countZeroAreaTriangles(assembly, Positions::Zero(3, 4)), 3);
+	EXPECT_EQ(zeroAreaTriangles(assembly, positions).size(), 2);
+	EXPECT_EQ(zeroAreaTriangles(assembly, Positions::Zero(3, 4)).size(), 3);
 	positions = assembly.originalPositions;
 	positions(2, 0) = std::numeric_limits<double>::quiet_NaN();
-	EXPECT_EQ(countZeroAreaTriangles(assembly, positions), 2);
+	EXPECT_EQ(zeroAreaTriangles(assembly, positions).size(), 2);
 }
 
 } // namespace

@@ -51,6 +51,39 @@ TEST(LargestDisplacement, IsKeptOverAllLevels) {
 	}
 }
 
+TEST(LargestDisplacement, IsKeptByTheShortestSteps) {
+	// Developable but for noise, which so much more than the bound would take away.
+	const PatchAssembly assembly = assembled(noisy(grid(12, 12, quarterCylinder), 1e-4));
+	Positions free;
+	ASSERT_EQ(runWithin(assembly, -1, free).status, Status::Converged);
+	const double needed = farthest(assembly, free);
+	ASSERT_LT(needed, 1e-3 / 11);
+	for (const double share : {0.03, 0.3, 0.6}) {
+		Positions positions;
+		const ConstrainedNewtonReport report = runWithin(assembly, share * needed, positions);
+		EXPECT_LE(farthest(assembly, positions), share * needed);
+		EXPECT_GT(farthest(assembly, positions), 0.5 * share * needed);
+		EXPECT_LT(measure(assembly, positions, 1e-4).detectFunction,
+				  measure(assembly, assembly.originalPositions, 1e-4).detectFunction);
+		EXPECT_EQ(report.status, Status::NeedsCut);
+	}
+}
+
+TEST(LargestDisplacement, IsKeptOverAllLevelsFarFromTheOrigin) {
+	// Where a last bit of the coordinates is more than a thousandth of the bound.
+	TriangleMesh mesh = jitteredGrid(16, 16, steepBump);
+	mesh.positions.array() += 1e9;
+	const PatchAssembly assembly = assembled(mesh);
+	ConstrainedNewtonOptions options;
+	options.tuning.coarsest = 30;
+	for (const double bound : {1e-6, 3e-6, 1e-5, 1e-4, 1e-3}) {
+		options.maxDisplacement = bound;
+		Positions positions = assembly.originalPositions;
+		constrainedNewton(assembly, positions, options);
+		EXPECT_LE(farthest(assembly, positions), bound);
+	}
+}
+
 TEST(LargestDisplacement, OfNothingMovesNothingAndSaysHowFarTheNearestIs) {
 	const PatchAssembly assembly = assembled(jitteredGrid(16, 16, bumpedCylinder));
 	Positions positions;

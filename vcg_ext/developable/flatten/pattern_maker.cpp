@@ -25,16 +25,17 @@ PatternMaker::PatternMaker(const PatchAssembly& assembly, const Positions& posit
 }
 
 void PatternMaker::requireNoHandles() const {
-	int withHandles = 0;
+	std::vector<int> withHandles;
 	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
-		withHandles +=
-			assembly_.patches[piece].eulerCharacteristic() + static_cast<int>(loops_[piece].size()) != 2;
-	if (withHandles > 0)
+		if (assembly_.patches[piece].eulerCharacteristic() + static_cast<int>(loops_[piece].size()) != 2)
+			withHandles.push_back(piece);
+	if (!withHandles.empty())
 		throw PatchWithHandles(
-			counted(withHandles, "patch has a handle", "patches have handles") +
+			counted(withHandles.size(), "patch has a handle", "patches have handles") +
 			", like the handle of a cup, and can't be laid flat: cut it open ('developable cut' on the command "
 			"line, the filter Cut into Developable Panels in MeshLab), or give it seams (see the parameter "
-			"'patches').");
+			"'patches')." +
+			seePatch(assembly_, withHandles.front()));
 }
 
 bool PatternMaker::flattenPanels(int iterations, bool leastSquares, const Progress& progress) {

@@ -18,7 +18,10 @@ std::vector<int> spatialOrder(const Positions& points) {
 	std::vector<std::pair<std::uint64_t, int>> codes;
 	codes.reserve(points.cols());
 	for (int i = 0; i < points.cols(); ++i) {
-		const Eigen::Vector3i cell = ((points.col(i) - low) * cells).cast<int>();
+		// What is not a number is anywhere.
+		const Eigen::Vector3i cell = ((points.col(i) - low) * cells).unaryExpr([](double coordinate) {
+			return coordinate > 0 && coordinate < (1 << bits) ? static_cast<int>(coordinate) : 0;
+		});
 		std::uint64_t code = 0;
 		for (int bit = bits - 1; bit >= 0; --bit)
 			for (const int coordinate : cell)

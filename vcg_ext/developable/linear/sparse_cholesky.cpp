@@ -5,6 +5,8 @@
 #ifdef DEVELOPABLE_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
 #include <mutex>
+#include <new>
+#include <out_of_memory.h>
 #else
 #include <Eigen/SparseCholesky>
 #endif
@@ -29,11 +31,55 @@ public:
 	void findOrder(const SparseMatrix& matrix) {
 		static std::mutex oneAtATime;
 		const std::lock_guard lock(oneAtATime);
+		forgetOutOfMemory();
 		analyzePattern(matrix);
+		requireMemory();
+	}
+
+	void findNumbers(const SparseMatrix& matrix) {
+		forgetOutOfMemory();
+		factorize(matrix);
+		requireMemory();
+	}
+
+	/// Of any number of columns. CHOLMOD finds all it works with allocated: it would not notice if the first
+	/// of two pieces were missing.
+	template <class RightHandSides>
+	RightHandSides solution(const RightHandSides& rightHandSides) {
+		const Eigen::Index rows = rightHandSides.rows(), columns = rightHandSides.cols();
+		RightHandSides solved(rows, columns);
+		Eigen::MatrixXd permuted(rows, columns);
+		Eigen::MatrixXd gathered(columns, Eigen::Index(m_cholmodFactor->maxesize));
+		cholmod_dense b = viewOf(rightHandSides), x = viewOf(solved), y = viewOf(permuted),
+					  e = viewOf(gathered);
+		cholmod_dense *toX = &x, *toY = &y, *toE = &e;
+		forgetOutOfMemory();
+		cholmod_solve2(CHOLMOD_A, m_cholmodFactor, &b, nullptr, &toX, nullptr, &toY, &toE, &cholmod());
+		requireMemory();
+		return solved;
 	}
 
 	/// Of the factor, once the pattern is known, bytes: its numbers, and half as many zeros between them.
 	double factorMemory() { return 1.5 * 8 * cholmod().lnz; }
+
+private:
+	/// \throws std::bad_alloc  when CHOLMOD has had too little memory since it was forgotten
+	void requireMemory() {
+		if (m_cholmodFactor == nullptr || cholmod().status == CHOLMOD_TOO_LARGE || wasOutOfMemory() != 0)
+			throw std::bad_alloc();
+	}
+
+	template <class Numbers>
+	static cholmod_dense viewOf(const Numbers& numbers) {
+		cholmod_dense view = {};
+		view.nrow = view.d = std::size_t(numbers.rows());
+		view.ncol = std::size_t(numbers.cols());
+		view.nzmax = std::size_t(numbers.size());
+		view.x = const_cast<double*>(numbers.data()); // CHOLMOD only reads the right-hand sides
+		view.xtype = CHOLMOD_REAL;
+		view.dtype = CHOLMOD_DOUBLE;
+		return view;
+	}
 };
 
 #else
@@ -44,6 +90,12 @@ public:
 	bool positiveDefinite() const { return info() == Eigen::Success && (vectorD().array() > 0).all(); }
 
 	void findOrder(const SparseMatrix& matrix) { analyzePattern(matrix); }
+	void findNumbers(const SparseMatrix& matrix) { factorize(matrix); }
+
+	template <class RightHandSides>
+	RightHandSides solution(const RightHandSides& rightHandSides) const {
+		return solve(rightHandSides);
+	}
 
 	/// Of the factor, once the pattern is known, bytes.
 	double factorMemory() const { return 12.0 * static_cast<double>(m_matrix.nonZeros()); }
@@ -65,16 +117,16 @@ double SparseCholesky::analyze(const SparseMatrix& matrix) {
 bool SparseCholesky::factorize(const SparseMatrix& matrix) {
 	if (!analyzed_)
 		analyze(matrix);
-	factorization_->factorize(matrix);
+	factorization_->findNumbers(matrix);
 	return factorization_->positiveDefinite();
 }
 
 Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& rightHandSide) const {
-	return factorization_->solve(rightHandSide);
+	return factorization_->solution(rightHandSide);
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rightHandSides) const {
-	return factorization_->solve(rightHandSides);
+	return factorization_->solution(rightHandSides);
 }
 
 } // namespace developable

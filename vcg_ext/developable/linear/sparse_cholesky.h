@@ -11,7 +11,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// The Cholesky factorisation of symmetric positive definite matrices of one pattern, of which only the lower
 /// triangle is read: by CHOLMOD (Chen et al. 2008) where the library was built with it, else by Eigen. The
-/// order of elimination is found once.
+/// order of elimination is found once. All throw std::bad_alloc when there is too little memory.
 class SparseCholesky {
 public:
 	SparseCholesky();

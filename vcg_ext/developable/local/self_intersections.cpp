@@ -65,7 +65,7 @@ void SelfIntersections::update(int place) {
 		around_ = around_.min(boxes_.back());
 	});
 	starPlaces_.clear();
-	star_.resize(3, 3 * moved_.size());
+	star_ = Eigen::Matrix3Xd(3, 3 * moved_.size()); // to resize it would leave it broken for want of memory
 	const auto add = [&](int copy) {
 		star_.col(starPlaces_.size()) = seen(mesh_.copies[copy].position);
 		starPlaces_.push_back(mesh_.copies[copy].place);

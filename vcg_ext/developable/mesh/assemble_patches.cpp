@@ -4,28 +4,44 @@
 
 #include "exceptions.h"
 #include "patch_assembler.h"
+#include "where.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace developable {
 
+namespace {
+
+template <class Condition>
+std::vector<int> patchesWhere(const PatchAssembly& assembly, const Condition& condition) {
+	std::vector<int> found;
+	for (int patch = 0; patch < assembly.patchCount(); ++patch)
+		if (condition(assembly.patches[patch]))
+			found.push_back(patch);
+	return found;
+}
+
+} // namespace
+
 void requireOpenPatches(const PatchAssembly& assembly) {
-	const auto closed = std::count_if(assembly.patches.begin(), assembly.patches.end(),
-									  [](const Patch& patch) { return patch.closed(); });
-	if (closed > 0)
+	const std::vector<int> closed = patchesWhere(assembly, [](const Patch& patch) { return patch.closed(); });
+	if (!closed.empty())
 		throw ClosedPatch(
-			std::to_string(closed) + " of " + counted(assembly.patches.size(), "patch is", "patches are") +
+			std::to_string(closed.size()) + " of " +
+			counted(assembly.patches.size(), "patch is", "patches are") +
 			" closed and can't be laid flat: cut it open ('developable cut' on the command line, the filter "
-			"Cut into Developable Panels in MeshLab), or give it seams (see the parameter 'patches').");
+			"Cut into Developable Panels in MeshLab), or give it seams (see the parameter 'patches')." +
+			seePatch(assembly, closed.front()));
 }
 
 void requireOrientablePatches(const PatchAssembly& assembly) {
-	const auto oneSided = std::count_if(assembly.patches.begin(), assembly.patches.end(),
-										[](const Patch& patch) { return !patch.orientable; });
-	if (oneSided > 0)
-		throw NonOrientablePatch(counted(oneSided, "patch has", "patches have") +
-								 " only one side, like a Möbius strip: cut it across.");
+	const std::vector<int> oneSided =
+		patchesWhere(assembly, [](const Patch& patch) { return !patch.orientable; });
+	if (!oneSided.empty())
+		throw NonOrientablePatch(counted(oneSided.size(), "patch has", "patches have") +
+								 " only one side, like a Möbius strip: cut it across." +
+								 seePatch(assembly, oneSided.front()));
 }
 
 void requireFreePlaces(const PatchAssembly& assembly) {
@@ -36,22 +52,25 @@ void requireFreePlaces(const PatchAssembly& assembly) {
 }
 
 void requireFiniteCoordinates(const TriangleMesh& mesh) {
-	std::size_t invalid = 0;
-	for (const auto& position : mesh.positions.colwise())
-		invalid += !position.allFinite();
-	if (invalid > 0)
-		throw InvalidCoordinate(counted(invalid, "vertex has", "vertices have") +
+	std::vector<int> invalid;
+	for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+		if (!mesh.positions.col(vertex).allFinite())
+			invalid.push_back(vertex);
+	if (!invalid.empty())
+		throw InvalidCoordinate(counted(invalid.size(), "vertex has", "vertices have") +
 								" a coordinate that is infinite or not a number: remove " +
-								(invalid == 1 ? "it." : "them."));
+								(invalid.size() == 1 ? "it." : "them.") + " See vertex " +
+								std::to_string(invalid.front()) + ".");
 }
 
 namespace {
 
 void requireAreas(const PatchAssembly& assembly) {
-	const int flat = countZeroAreaTriangles(assembly, assembly.originalPositions);
-	if (flat > 0)
-		throw DegenerateTriangle(counted(flat, "face has", "faces have") +
-								 " no area: remove zero-area faces, or merge close vertices, first.");
+	const std::vector<int> flat = zeroAreaTriangles(assembly, assembly.originalPositions);
+	if (!flat.empty())
+		throw DegenerateTriangle(counted(flat.size(), "face has", "faces have") +
+								 " no area: remove zero-area faces, or merge close vertices, first." +
+								 seeFace(assembly, flat.front()));
 }
 
 } // namespace

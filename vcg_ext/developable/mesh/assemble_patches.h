@@ -7,16 +7,18 @@
 
 namespace developable {
 
-/// \throws ClosedPatch  when a patch has no boundary; says how many there are
+/// \throws ClosedPatch  when a patch has no boundary; says how many there are, and where the first is
 void requireOpenPatches(const PatchAssembly& assembly);
 
-/// \throws NonOrientablePatch  when a patch has one side only; says how many there are
+/// \throws NonOrientablePatch  when a patch has one side only; says how many there are, and where the first
+/// is
 void requireOrientablePatches(const PatchAssembly& assembly);
 
 /// \throws NothingFree  when every vertex is held still
 void requireFreePlaces(const PatchAssembly& assembly);
 
-/// \throws InvalidCoordinate  when a coordinate is not finite; says how many vertices have one
+/// \throws InvalidCoordinate  when a coordinate is not finite; says how many vertices have one, and which is
+/// the first
 void requireFiniteCoordinates(const TriangleMesh& mesh);
 
 /// Takes a mesh apart into patches, vertex copies and linked vertex sets.

@@ -4,6 +4,7 @@
 
 #include "exceptions.h"
 #include "indices.h"
+#include "where.h"
 
 #include <algorithm>
 #include <array>
@@ -57,23 +58,26 @@ void linkNear(const Positions& positions, const std::vector<int>& vertices, doub
 	}
 }
 
-void throwIfLinkedWithin(std::size_t triangles) {
-	if (triangles > 0)
+void throwIfLinkedWithin(const TriangleMesh& mesh, const std::vector<int>& triangles) {
+	if (!triangles.empty())
 		throw DegenerateTriangle("The weld distance would link two corners of " +
-								 counted(triangles, "triangle", "triangles") +
-								 ": choose a weld distance shorter than every edge.");
+								 counted(triangles.size(), "triangle", "triangles") +
+								 ": choose a weld distance shorter than every edge." +
+								 seeFace(mesh, triangles.front()));
 }
 
-std::size_t countEdgesWithin(const TriangleMesh& mesh, double distance) {
-	std::size_t count = 0;
-	for (const auto& triangle : mesh.triangles.colwise())
+std::vector<int> trianglesWithEdgesWithin(const TriangleMesh& mesh, double distance) {
+	std::vector<int> found;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const auto triangle = mesh.triangles.col(t);
 		for (int corner = 0; corner < 3; ++corner)
 			if ((mesh.positions.col(triangle[corner]) - mesh.positions.col(triangle[nextCorner(corner)]))
 					.norm() <= distance) {
-				++count;
+				found.push_back(t);
 				break;
 			}
-	return count;
+	}
+	return found;
 }
 
 } // namespace
@@ -91,7 +95,7 @@ Numbering numberPlaces(const TriangleMesh& mesh, double weldDistance) {
 	const bool nearMeansEqual = weldDistance < 1e-15 * mesh.positions.cwiseAbs().maxCoeff();
 	DisjointSets sets(mesh.vertexCount());
 	if (weldDistance > 0 && !nearMeansEqual) {
-		throwIfLinkedWithin(countEdgesWithin(mesh, weldDistance));
+		throwIfLinkedWithin(mesh, trianglesWithEdgesWithin(mesh, weldDistance));
 		linkNear(mesh.positions, vertices, weldDistance, sets);
 	} else {
 		linkEqual(mesh.positions, vertices, sets);
@@ -105,14 +109,16 @@ Numbering numberPlaces(const TriangleMesh& mesh, double weldDistance) {
 			number = places.count++;
 		places.number[vertex] = number;
 	}
-	std::size_t collapsed = 0;
-	for (const auto& triangle : mesh.triangles.colwise()) {
+	std::vector<int> collapsed;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const auto triangle = mesh.triangles.col(t);
 		const int a = places.number[triangle[0]], b = places.number[triangle[1]],
 				  c = places.number[triangle[2]];
-		collapsed += a == b || b == c || c == a;
+		if (a == b || b == c || c == a)
+			collapsed.push_back(t);
 	}
 	if (weldDistance > 0)
-		throwIfLinkedWithin(collapsed);
+		throwIfLinkedWithin(mesh, collapsed);
 	return places;
 }
 

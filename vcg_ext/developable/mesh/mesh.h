@@ -24,3 +24,4 @@
 #include "progress.h"
 #include "report.h"
 #include "triangle_mesh.h"
+#include "where.h"

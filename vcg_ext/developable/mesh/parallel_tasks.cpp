@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <numeric>
 #include <system_error>
 #include <thread>
@@ -40,6 +41,7 @@ public:
 
 	void onThreads(int count) {
 		std::vector<std::thread> workers;
+		workers.reserve(count);
 		try {
 			while (static_cast<int>(workers.size()) < count)
 				workers.emplace_back([this] {
@@ -50,6 +52,7 @@ public:
 				});
 		} catch (const std::system_error&) {
 			// Fewer threads do as well.
+		} catch (const std::bad_alloc&) {
 		}
 		if (workers.empty())
 			return inThisThread();
@@ -65,11 +68,11 @@ private:
 	void work(const GoOn& goOn) {
 		for (std::size_t i = next_++; i < order_.size(); i = next_++) {
 			const int task = order_[i];
-			const Progress progress = [&, task](double fraction, const std::string& message) {
-				note(task, fraction, message);
-				return goOn();
-			};
 			try {
+				const Progress progress = [&, task](double fraction, const std::string& message) {
+					note(task, fraction, message);
+					return goOn();
+				};
 				tasks_[task].run(progress_ ? progress : Progress());
 			} catch (...) {
 				errors_[task] = std::current_exception();
@@ -102,24 +105,23 @@ private:
 
 	/// Until all workers have ended. Should telling fail, they are stopped first.
 	void watch(int workers) {
-		std::exception_ptr failure;
 		for (std::unique_lock lock(mutex_); ended_ < workers;) {
 			someEnded_.wait_for(lock, pause, [&] { return ended_ == workers; });
 			lock.unlock();
 			try {
-				if (!failure)
+				if (!failure_)
 					tell();
 			} catch (...) {
-				failure = std::current_exception();
+				failure_ = std::current_exception();
 				stop_ = true;
 			}
 			lock.lock();
 		}
-		if (failure)
-			errors_.insert(errors_.begin(), failure);
 	}
 
 	void rethrow() const {
+		if (failure_)
+			std::rethrow_exception(failure_);
 		for (const std::exception_ptr& error : errors_)
 			if (error)
 				std::rethrow_exception(error);
@@ -136,7 +138,8 @@ private:
 	double wholeWork_ = 0;
 	std::vector<double> fractions_;
 	std::string message_;
-	std::vector<std::exception_ptr> errors_;
+	std::vector<std::exception_ptr> errors_; ///< of the tasks
+	std::exception_ptr failure_;             ///< of telling how far they are
 };
 
 } // namespace

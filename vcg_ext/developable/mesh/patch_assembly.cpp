@@ -29,17 +29,18 @@ double meanEdgeLength(const PatchAssembly& assembly) {
 	return edgeLengths(assembly, assembly.originalPositions).mean();
 }
 
-int countZeroAreaTriangles(const PatchAssembly& assembly, const Positions& positions) {
-	int count = 0;
-	for (const auto& places : assembly.trianglePlaces.colwise()) {
+std::vector<int> zeroAreaTriangles(const PatchAssembly& assembly, const Positions& positions) {
+	std::vector<int> found;
+	for (int t = 0; t < assembly.triangleCount(); ++t) {
+		const auto places = assembly.trianglePlaces.col(t);
 		const Eigen::Vector3d a = positions.col(places[1]) - positions.col(places[0]);
 		const Eigen::Vector3d b = positions.col(places[2]) - positions.col(places[0]);
 		const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
 		// Twice the area is height times longest edge.
 		if (!(a.cross(b).norm() >= assembly.leastHeightRatio * longest) || longest == 0)
-			++count;
+			found.push_back(t);
 	}
-	return count;
+	return found;
 }
 
 } // namespace developable

@@ -77,7 +77,7 @@ Eigen::VectorXd edgeLengths(const PatchAssembly& assembly, const Positions& posi
 /// L̄, the mean length of the original edges.
 double meanEdgeLength(const PatchAssembly& assembly);
 
-/// How many triangles are lower than the least share of their longest edge: as good as without area.
-int countZeroAreaTriangles(const PatchAssembly& assembly, const Positions& positions);
+/// The triangles that are lower than the least share of their longest edge: as good as without area.
+std::vector<int> zeroAreaTriangles(const PatchAssembly& assembly, const Positions& positions);
 
 } // namespace developable

@@ -54,17 +54,6 @@ bool anyFree(const PatchAssembly& part) {
 	return std::find(part.placeFixed.begin(), part.placeFixed.end(), 0) != part.placeFixed.end();
 }
 
-/// Steps keep within the bound each in its own way; whatever they came to, what is promised holds.
-void keepNear(const PatchAssembly& part, double farthest, const Positions& start, NewtonOutcome& outcome) {
-	const double moved = farthestMove(part, outcome.positions);
-	if (moved <= farthest)
-		return;
-	if (outcome.ending == Ending::Reached)
-		outcome.nearestDevelopable = moved;
-	outcome.ending = Ending::Stuck;
-	outcome.positions = start;
-}
-
 } // namespace
 
 PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
@@ -84,7 +73,6 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations,
 							options.memoryLimit, options.tuning);
 	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
-	keepNear(part, farthest, result.positions, outcome);
 	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
 			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};
 }

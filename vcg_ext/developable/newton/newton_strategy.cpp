@@ -3,6 +3,7 @@
 #include "newton_strategy.h"
 
 #include "coarsening.h"
+#include "displacement_metric.h"
 #include "fair_shape.h"
 #include "normal_steps.h"
 #include "prolongation.h"
@@ -22,9 +23,12 @@ Positions soundStart(const NewtonProblem& problem, const Positions& displacement
 	const double margin = 1 - 1e-12;
 	const double farthest = displacement.colwise().norm().maxCoeff();
 	double share = farthest > problem.goal().farthest ? margin * problem.goal().farthest / farthest : 1;
-	for (int halving = 0; halving < 10; ++halving, share /= 2)
-		if (problem.soundness().holds(original + share * displacement))
-			return original + share * displacement;
+	for (int halving = 0; halving < 10; ++halving, share /= 2) {
+		Positions start = original + share * displacement;
+		if (farthestMove(problem.assembly(), start) <= problem.goal().farthest &&
+			problem.soundness().holds(start))
+			return start;
+	}
 	return original;
 }
 

@@ -6,8 +6,10 @@ namespace developable::detail {
 
 ShortestSteps::ShortestSteps(NewtonProblem& problem, NewtonRun& run)
 	: problem_(problem), run_(run), inverseMass_(problem.metric().placeMass().cwiseInverse()),
-	  farthest_(problem.tuning().shortestMove *
-				edgeLengths(problem.assembly(), problem.assembly().originalPositions).minCoeff()),
+	  farthest_(
+		  std::min(problem.goal().farthest,
+				   problem.tuning().shortestMove *
+					   edgeLengths(problem.assembly(), problem.assembly().originalPositions).minCoeff())),
 	  solver_(problem.memoryLimit()) {}
 
 Ending ShortestSteps::run() {

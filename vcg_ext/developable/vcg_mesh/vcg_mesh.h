@@ -38,11 +38,13 @@ auto colourKey(const FaceType& face) {
 /// \param whole  says of a face whether what its label is made of are numbers: others equal nothing
 template <class MeshType, class Condition>
 void requireNumbers(const MeshType& mesh, const Condition& whole, const std::string& what) {
-	std::size_t invalid = 0;
-	for (const auto& face : mesh.face)
-		invalid += !face.IsD() && !whole(face);
-	if (invalid > 0)
-		throw MissingAttribute(counted(invalid, "face has ", "faces have ") + what);
+	std::vector<std::size_t> invalid;
+	for (std::size_t face = 0; face < mesh.face.size(); ++face)
+		if (!mesh.face[face].IsD() && !whole(mesh.face[face]))
+			invalid.push_back(face);
+	if (!invalid.empty())
+		throw MissingAttribute(counted(invalid.size(), "face has ", "faces have ") + what + " See face " +
+							   std::to_string(invalid.front()) + ".");
 }
 
 /// The labels of a mesh's corners, which say where its seams are (see TriangleMesh::cornerLabel).

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// failing_allocator.cpp: stands before malloc and its like (the linker's option --wrap leads calls here), and
+// in place of operator new, whose own calls of malloc are in a shared library that the linker leaves alone.
+#include "failing_allocator.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+
+// The names are the linker's. NOLINTBEGIN(bugprone-reserved-identifier)
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_realloc(void* pointer, std::size_t size);
+}
+
+namespace {
+
+constexpr long never = -1;
+std::atomic<long> number = never; ///< of the last allocation
+std::atomic<long> firstToFail = 0, lastToFail = 0;
+
+bool fails() {
+	if (number.load(std::memory_order_relaxed) == never)
+		return false;
+	const long mine = ++number;
+	const bool result = mine >= firstToFail && mine <= lastToFail;
+	if (result)
+		errno = ENOMEM;
+	return result;
+}
+
+} // namespace
+
+extern "C" {
+
+void* __wrap_malloc(std::size_t size) {
+	return fails() ? nullptr : __real_malloc(size);
+}
+
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+	return fails() ? nullptr : __real_calloc(count, size);
+}
+
+void* __wrap_realloc(void* pointer, std::size_t size) {
+	return fails() ? nullptr : __real_realloc(pointer, size);
+}
+}
+// NOLINTEND(bugprone-reserved-identifier)
+
+void* operator new(std::size_t size) {
+	if (void* const pointer = std::malloc(size > 0 ? size : 1))
+		return pointer;
+	throw std::bad_alloc();
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+	void* pointer = nullptr;
+	if (!fails() && posix_memalign(&pointer, static_cast<std::size_t>(alignment), size) == 0)
+		return pointer;
+	throw std::bad_alloc();
+}
+
+void operator delete(void* pointer) noexcept {
+	std::free(pointer);
+}
+void operator delete(void* pointer, std::size_t /*size*/) noexcept {
+	std::free(pointer);
+}
+void operator delete(void* pointer, std::align_val_t /*alignment*/) noexcept {
+	std::free(pointer);
+}
+void operator delete(void* pointer, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
+	std::free(pointer);
+}
+
+namespace developable::test {
+
+void arm(const FailingAllocations& which) {
+	firstToFail = which.first > 0 ? which.first : 0;
+	lastToFail = which.first > 0 ? which.first - 1 + which.count : -1;
+	number = 0;
+}
+
+long disarm() {
+	return number.exchange(never);
+}
+
+} // namespace developable::test
