@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What closed forms say of a cut, and what holds of any: topology, coincidence, order, stop.
 #include "developable/panels/cut_into_panels.h"
+
+#include "developable/mesh/parallel_tasks.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
 #include <set>
 
 namespace developable::test {
@@ -78,6 +81,29 @@ TriangleMesh cone(int corners, int rings, double height) {
 			}
 		}
 	positions.col(corners * rings) << 0, 0, height;
+	return makeMesh(positions, triangles);
+}
+
+/// Radius 1, height 2, caps of triangles round their middles.
+TriangleMesh cappedCylinder(int corners, int rows) {
+	Positions positions(3, corners * (rows + 1) + 2);
+	Eigen::Matrix3Xi triangles(3, 2 * corners * (rows + 1));
+	const int bottom = corners * (rows + 1), top = bottom + 1;
+	positions.col(bottom) << 0, 0, 0;
+	positions.col(top) << 0, 0, 2;
+	int next = 0;
+	for (int corner = 0; corner < corners; ++corner) {
+		const double angle = 2 * pi * corner / corners;
+		const auto at = [&](int row, int beside) { return row * corners + (corner + beside) % corners; };
+		for (int row = 0; row <= rows; ++row)
+			positions.col(at(row, 0)) << std::cos(angle), std::sin(angle), 2.0 * row / rows;
+		for (int row = 0; row < rows; ++row) {
+			triangles.col(next++) << at(row, 0), at(row, 1), at(row + 1, 1);
+			triangles.col(next++) << at(row, 0), at(row + 1, 1), at(row + 1, 0);
+		}
+		triangles.col(next++) << at(0, 1), at(0, 0), bottom;
+		triangles.col(next++) << at(rows, 0), at(rows, 1), top;
+	}
 	return makeMesh(positions, triangles);
 }
 
@@ -162,6 +188,57 @@ TEST(CutIntoPanels, isTheSameOnEveryRun) {
 	EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
 	EXPECT_EQ(first.mesh.panel, second.mesh.panel);
 	EXPECT_EQ(first.report.maxDisplacement, second.report.maxDisplacement);
+}
+
+/// The processor that this thread is on, for as long as it lives.
+class OnOneProcessor {
+public:
+	OnOneProcessor() {
+		sched_getaffinity(0, sizeof before_, &before_);
+		cpu_set_t one;
+		CPU_ZERO(&one);
+		CPU_SET(sched_getcpu(), &one);
+		sched_setaffinity(0, sizeof one, &one);
+	}
+	~OnOneProcessor() { sched_setaffinity(0, sizeof before_, &before_); }
+	OnOneProcessor(const OnOneProcessor&) = delete;
+	OnOneProcessor& operator=(const OnOneProcessor&) = delete;
+
+private:
+	cpu_set_t before_;
+};
+
+TEST(CutIntoPanels, isTheSameOnAnyNumberOfProcessors) {
+	const TriangleMesh mesh = sphere(1, 3);
+	const CutResult many = cutIntoPanels(mesh, {}, {});
+	const OnOneProcessor one;
+	ASSERT_EQ(availableThreads(), 1);
+	const CutResult single = cutIntoPanels(mesh, {}, {});
+	EXPECT_EQ(many.mesh.triangles, single.mesh.triangles);
+	EXPECT_EQ(many.mesh.panel, single.mesh.panel);
+	EXPECT_EQ(many.report.seamLength, single.report.seamLength);
+	EXPECT_EQ(many.report.maxDisplacement, single.report.maxDisplacement);
+}
+
+/// The same panels, however the surface lies and however large it is.
+TEST(CutIntoPanels, goesWithTheSurface) {
+	const TriangleMesh mesh = sphere(1, 3);
+	const CutResult before = cutIntoPanels(mesh, {}, {});
+	TriangleMesh moved = mesh;
+	const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+	moved.positions = (250 * turn * mesh.positions).colwise() + Eigen::Vector3d(70, -20, 5);
+	const CutResult after = cutIntoPanels(moved, {}, {});
+	EXPECT_EQ(after.report.panels.size(), before.report.panels.size());
+	EXPECT_NEAR(after.report.seamLength, 250 * before.report.seamLength, 2.5 * before.report.seamLength);
+}
+
+TEST(CutIntoPanels, unrollsACappedCylinder) {
+	const TriangleMesh mesh = cappedCylinder(24, 6);
+	const CutResult cut = cutIntoPanels(mesh, {}, {});
+	EXPECT_EQ(cut.report.status, Status::Converged);
+	EXPECT_LE(cut.report.panels.size(), 3U);
+	EXPECT_LT(cut.report.maxDisplacement, 0.02 * boxDiagonal(mesh.positions));
+	expectDisks(assemblyOf(cut.mesh, mesh));
 }
 
 TEST(CutIntoPanels, keepsSelectedTrianglesWhole) {

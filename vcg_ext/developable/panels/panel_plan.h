@@ -4,6 +4,7 @@
 
 #include "cut_into_panels.h"
 #include "panel_joining.h"
+#include "planned_surface.h"
 #include "sewn_panels.h"
 
 #include <memory>
@@ -18,9 +19,6 @@ public:
 	CutResult run();
 
 private:
-	/// Every copy of a vertex is a vertex of its own, so that patches have nothing in common.
-	void separatePatches(const TriangleMesh& mesh, const PatchOptions& patches);
-
 	std::vector<double> maxDisplacements() const;
 
 	/// Patches that are no panels become clusters of normals, each of which is one.
@@ -36,21 +34,14 @@ private:
 	SewnExcess excessBeyond(double share);
 	SewnPanels divideUntilAllHold();
 	void joinUntilAllHold();
-	int panelBefore(const CutSurface& before, const TriangleMesh& meshBefore, int panel) const;
+	int panelBefore(const PlannedSurface& before, int panel) const;
 	SewnPanels smoothSeams();
 	void drawSmoothSeams(double edges);
 	Progress progressOfRest();
 
-	CutReport reportOf(const SewnPanels& sewn) const;
-	CutMesh cutMesh() const;
-	TriangleMesh asCut() const;
-
 	const CutOptions options_;
-	TriangleMesh mesh_; // vertices are copies of the mesh that was given, and points on its edges
-	std::vector<VertexOrigin> origins_; // of its vertices, on that mesh
-	std::vector<char> vertexTaken_;     // of that mesh: faces that are not worked on have it
-	double givenSeamLength_ = 0;        // of seams between patches that share vertices
-	std::unique_ptr<CutSurface> surface_;
+	const GivenPatches given_;
+	PlannedSurface planned_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
 	JoinHistory history_;
