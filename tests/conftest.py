@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What several folders of tests share lies in support/; the independent measures in python/."""
 
+import signal
 import sys
 from pathlib import Path
 
@@ -8,6 +9,10 @@ import pytest
 
 for folder in ("support", "python"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
+
+
+# A run in the background may have been started with interrupts ignored; what it starts shall not ignore them.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)

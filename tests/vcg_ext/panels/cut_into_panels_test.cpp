@@ -220,18 +220,6 @@ TEST(CutIntoPanels, isTheSameOnAnyNumberOfProcessors) {
 	EXPECT_EQ(many.report.maxDisplacement, single.report.maxDisplacement);
 }
 
-/// The same panels, however the surface lies and however large it is.
-TEST(CutIntoPanels, goesWithTheSurface) {
-	const TriangleMesh mesh = sphere(1, 3);
-	const CutResult before = cutIntoPanels(mesh, {}, {});
-	TriangleMesh moved = mesh;
-	const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
-	moved.positions = (250 * turn * mesh.positions).colwise() + Eigen::Vector3d(70, -20, 5);
-	const CutResult after = cutIntoPanels(moved, {}, {});
-	EXPECT_EQ(after.report.panels.size(), before.report.panels.size());
-	EXPECT_NEAR(after.report.seamLength, 250 * before.report.seamLength, 2.5 * before.report.seamLength);
-}
-
 TEST(CutIntoPanels, unrollsACappedCylinder) {
 	const TriangleMesh mesh = cappedCylinder(24, 6);
 	const CutResult cut = cutIntoPanels(mesh, {}, {});
