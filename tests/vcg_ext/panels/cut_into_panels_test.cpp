@@ -2,7 +2,6 @@
 // What closed forms say of a cut, and what holds of any: topology, coincidence, order, stop.
 #include "developable/panels/cut_into_panels.h"
 
-#include "developable/mesh/parallel_tasks.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
