@@ -28,10 +28,9 @@ CMeshO::PerVertexAttributeHandle<Point> originalPositions(CMeshO& mesh) {
 		throw MissingAttribute(
 			"The layer has no attribute 'original_position' to go back to: Global and Local Developability "
 			"leave one. Files do not keep it; File, Reload reads the shape that a file has.");
-	std::vector<std::size_t> invalid;
-	for (std::size_t vertex = 0; vertex < mesh.vert.size(); ++vertex)
-		if (!mesh.vert[vertex].IsD() && !isFinite(original[vertex]))
-			invalid.push_back(vertex);
+	const std::vector<int> invalid = indicesWhere(int(mesh.vert.size()), [&](int vertex) {
+		return !mesh.vert[vertex].IsD() && !isFinite(original[vertex]);
+	});
 	if (!invalid.empty())
 		throw MissingAttribute(counted(invalid.size(), "vertex has", "vertices have") +
 							   " an 'original_position' that is not a number: compute it anew. See vertex " +

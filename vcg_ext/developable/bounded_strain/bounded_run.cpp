@@ -24,13 +24,6 @@ bool hopeless(const std::vector<double>& violations) {
 		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
 }
 
-StrainedTriangles trianglesWithBorder(const PatchAssembly& assembly, const Positions& start,
-									  const FlatPatterns& patterns) {
-	StrainedTriangles triangles = strainedTriangles(assembly, start, patterns);
-	triangles.fans = BorderFans(triangles.flat, triangles.weights, patterns.positions);
-	return triangles;
-}
-
 } // namespace
 
 BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
@@ -39,8 +32,10 @@ BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patter
 	: assembly_(assembly), patterns_(patterns), options_(options), progress_(progress),
 	  firstStiffness_(firstStiffness), nearness_(nearness(assembly, options.smoothness, options.fairness)),
 	  bound_(assembly, farthest),
-	  penalty_(trianglesWithBorder(assembly, start, patterns), options.bounds, elasticity),
-	  steps_(assembly, nearness_, bound_, penalty_), unknowns_{start, patterns.positions} {}
+	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
+	  steps_(assembly, nearness_, bound_, penalty_), unknowns_{start, patterns.positions} {
+	penalty_.watchBorder(patterns.positions);
+}
 
 BoundedEnding BoundedRun::run() {
 	Hardening hardening(penalty_, firstStiffness_);
@@ -78,8 +73,7 @@ BoundedEnding BoundedRun::run() {
 }
 
 double BoundedRun::violation() const {
-	return std::max(penalty_.violations(unknowns_.shape, unknowns_.pattern).maxCoeff(),
-					penalty_.triangles().fans.excess(unknowns_.pattern));
+	return penalty_.greatestViolation(unknowns_.shape, unknowns_.pattern);
 }
 
 void BoundedRun::takeGrain() {

@@ -11,14 +11,13 @@ namespace developable::detail {
 
 namespace {
 
-StrainedTriangles trianglesOf(const PanelMesh& panel, const PlanePositions& start) {
+StrainedTriangles trianglesOf(const PanelMesh& panel) {
 	StrainedTriangles triangles;
 	triangles.shaped = triangles.flat = panel.triangles;
 	triangles.weights.resize(panel.triangleCount());
 	for (int t = 0; t < panel.triangleCount(); ++t)
 		triangles.weights[t] = panel.frame(t).normal.norm();
 	triangles.weights /= triangles.weights.sum();
-	triangles.fans = BorderFans(triangles.flat, triangles.weights, start);
 	return triangles;
 }
 
@@ -28,8 +27,9 @@ public:
 	BoundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
 				  Grain grain, const std::array<int, 2>& longestSide)
 		: panel_(panel), grain_(grain), longestSide_(longestSide), springs_(panel),
-		  penalty_(trianglesOf(panel, start), bounds, 0), scale_(springs_.scale()),
+		  penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
 		  hessian_(springs_.hessianPattern()), positions_(start) {
+		penalty_.watchBorder(start);
 		takeGrain();
 	}
 
@@ -70,10 +70,7 @@ private:
 		penalty_.setGrain(std::vector<double>(panel_.triangleCount(), angle));
 	}
 
-	double violation() const {
-		return std::max(penalty_.violations(panel_.positions, positions_).maxCoeff(),
-						penalty_.triangles().fans.excess(positions_));
-	}
+	double violation() const { return penalty_.greatestViolation(panel_.positions, positions_); }
 
 	double energy(const PlanePositions& x) const {
 		return springs_.guardedEnergy(x) + scale_ * penalty_.value(panel_.positions, x);

@@ -25,10 +25,9 @@ PatternMaker::PatternMaker(const PatchAssembly& assembly, const Positions& posit
 }
 
 void PatternMaker::requireNoHandles() const {
-	std::vector<int> withHandles;
-	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
-		if (assembly_.patches[piece].eulerCharacteristic() + static_cast<int>(loops_[piece].size()) != 2)
-			withHandles.push_back(piece);
+	const std::vector<int> withHandles = indicesWhere(assembly_.patchCount(), [&](int piece) {
+		return assembly_.patches[piece].eulerCharacteristic() + static_cast<int>(loops_[piece].size()) != 2;
+	});
 	if (!withHandles.empty())
 		throw PatchWithHandles(
 			counted(withHandles.size(), "patch has a handle", "patches have handles") +

@@ -9,6 +9,7 @@
 
 #include "developable/mesh/mesh.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,12 @@ public:
 	/// \param grain  per triangle, rad; not looked at where the bounds are not directed
 	void setGrain(std::vector<double> grain) { triangles_.grain = std::move(grain); }
 
+	/// From now on the pattern's border counts, too.
+	/// \param flat  the pattern as it is at first
+	void watchBorder(const Eigen::Matrix2Xd& flat) {
+		triangles_.fans = BorderFans(triangles_.flat, triangles_.weights, flat);
+	}
+
 	/// \param stiffness  κ
 	/// \param width      δ, a strain
 	void harden(double stiffness, double width) { edge_ = {stiffness, width}; }
@@ -73,6 +80,11 @@ public:
 
 	/// By how much each triangle is beyond its bounds, as a strain; 0 within.
 	Eigen::VectorXd violations(const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
+
+	/// The greatest of these, and of what the border is beyond its own bound.
+	double greatestViolation(const Positions& shaped, const Eigen::Matrix2Xd& flat) const {
+		return std::max(violations(shaped, flat).maxCoeff(), triangles_.fans.excess(flat));
+	}
 
 private:
 	struct Direction {

@@ -3,6 +3,7 @@
 #include "assemble_patches.h"
 
 #include "exceptions.h"
+#include "grouping.h"
 #include "patch_assembler.h"
 #include "where.h"
 
@@ -11,21 +12,9 @@
 
 namespace developable {
 
-namespace {
-
-template <class Condition>
-std::vector<int> patchesWhere(const PatchAssembly& assembly, const Condition& condition) {
-	std::vector<int> found;
-	for (int patch = 0; patch < assembly.patchCount(); ++patch)
-		if (condition(assembly.patches[patch]))
-			found.push_back(patch);
-	return found;
-}
-
-} // namespace
-
 void requireOpenPatches(const PatchAssembly& assembly) {
-	const std::vector<int> closed = patchesWhere(assembly, [](const Patch& patch) { return patch.closed(); });
+	const std::vector<int> closed =
+		indicesWhere(assembly.patchCount(), [&](int patch) { return assembly.patches[patch].closed(); });
 	if (!closed.empty())
 		throw ClosedPatch(
 			std::to_string(closed.size()) + " of " +
@@ -37,7 +26,7 @@ void requireOpenPatches(const PatchAssembly& assembly) {
 
 void requireOrientablePatches(const PatchAssembly& assembly) {
 	const std::vector<int> oneSided =
-		patchesWhere(assembly, [](const Patch& patch) { return !patch.orientable; });
+		indicesWhere(assembly.patchCount(), [&](int patch) { return !assembly.patches[patch].orientable; });
 	if (!oneSided.empty())
 		throw NonOrientablePatch(counted(oneSided.size(), "patch has", "patches have") +
 								 " only one side, like a Möbius strip: cut it across." +
@@ -52,10 +41,8 @@ void requireFreePlaces(const PatchAssembly& assembly) {
 }
 
 void requireFiniteCoordinates(const TriangleMesh& mesh) {
-	std::vector<int> invalid;
-	for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
-		if (!mesh.positions.col(vertex).allFinite())
-			invalid.push_back(vertex);
+	const std::vector<int> invalid =
+		indicesWhere(mesh.vertexCount(), [&](int vertex) { return !mesh.positions.col(vertex).allFinite(); });
 	if (!invalid.empty())
 		throw InvalidCoordinate(counted(invalid.size(), "vertex has", "vertices have") +
 								" a coordinate that is infinite or not a number: remove " +

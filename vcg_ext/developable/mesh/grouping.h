@@ -34,4 +34,14 @@ Groups grouped(int groups, int members, const GroupOf& groupOf) {
 	return result;
 }
 
+/// Those of the numbers from 0 to below a count for which a condition holds, ascending.
+template <class Condition>
+std::vector<int> indicesWhere(int count, const Condition& condition) {
+	std::vector<int> found;
+	for (int i = 0; i < count; ++i)
+		if (condition(i))
+			found.push_back(i);
+	return found;
+}
+
 } // namespace developable

@@ -3,6 +3,7 @@
 #include "linked_vertices.h"
 
 #include "exceptions.h"
+#include "grouping.h"
 #include "indices.h"
 #include "where.h"
 
@@ -67,17 +68,14 @@ void throwIfLinkedWithin(const TriangleMesh& mesh, const std::vector<int>& trian
 }
 
 std::vector<int> trianglesWithEdgesWithin(const TriangleMesh& mesh, double distance) {
-	std::vector<int> found;
-	for (int t = 0; t < mesh.triangleCount(); ++t) {
+	return indicesWhere(mesh.triangleCount(), [&](int t) {
 		const auto triangle = mesh.triangles.col(t);
 		for (int corner = 0; corner < 3; ++corner)
 			if ((mesh.positions.col(triangle[corner]) - mesh.positions.col(triangle[nextCorner(corner)]))
-					.norm() <= distance) {
-				found.push_back(t);
-				break;
-			}
-	}
-	return found;
+					.norm() <= distance)
+				return true;
+		return false;
+	});
 }
 
 } // namespace
@@ -109,16 +107,13 @@ Numbering numberPlaces(const TriangleMesh& mesh, double weldDistance) {
 			number = places.count++;
 		places.number[vertex] = number;
 	}
-	std::vector<int> collapsed;
-	for (int t = 0; t < mesh.triangleCount(); ++t) {
-		const auto triangle = mesh.triangles.col(t);
-		const int a = places.number[triangle[0]], b = places.number[triangle[1]],
-				  c = places.number[triangle[2]];
-		if (a == b || b == c || c == a)
-			collapsed.push_back(t);
-	}
 	if (weldDistance > 0)
-		throwIfLinkedWithin(mesh, collapsed);
+		throwIfLinkedWithin(mesh, indicesWhere(mesh.triangleCount(), [&](int t) {
+								const auto triangle = mesh.triangles.col(t);
+								const int a = places.number[triangle[0]], b = places.number[triangle[1]],
+										  c = places.number[triangle[2]];
+								return a == b || b == c || c == a;
+							}));
 	return places;
 }
 

@@ -2,6 +2,8 @@
 // patch_assembly.cpp: lengths and areas of an assembly.
 #include "patch_assembly.h"
 
+#include "grouping.h"
+
 namespace developable {
 
 int PatchAssembly::interiorCopyCount() const {
@@ -30,17 +32,14 @@ double meanEdgeLength(const PatchAssembly& assembly) {
 }
 
 std::vector<int> zeroAreaTriangles(const PatchAssembly& assembly, const Positions& positions) {
-	std::vector<int> found;
-	for (int t = 0; t < assembly.triangleCount(); ++t) {
+	return indicesWhere(assembly.triangleCount(), [&](int t) {
 		const auto places = assembly.trianglePlaces.col(t);
 		const Eigen::Vector3d a = positions.col(places[1]) - positions.col(places[0]);
 		const Eigen::Vector3d b = positions.col(places[2]) - positions.col(places[0]);
 		const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
 		// Twice the area is height times longest edge.
-		if (!(a.cross(b).norm() >= assembly.leastHeightRatio * longest) || longest == 0)
-			found.push_back(t);
-	}
-	return found;
+		return !(a.cross(b).norm() >= assembly.leastHeightRatio * longest) || longest == 0;
+	});
 }
 
 } // namespace developable

@@ -176,19 +176,16 @@ void PanelPlan::divideUntilFlat() {
 	}
 }
 
-SewnPanels PanelPlan::sewTogether(double share, bool brief) {
-	std::vector<double> limits = maxDisplacements();
-	for (double& limit : limits)
-		limit *= share;
-	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, limits,
+SewnPanels PanelPlan::sewTogether(bool brief) {
+	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, maxDisplacements(),
 							 options_.material, brief, progressOfRest());
 }
 
 /// Sewn together, panels pull at each other.
-SewnExcess PanelPlan::excessBeyond(double share) {
-	return [this, share] {
+SewnExcess PanelPlan::sewnExcess() {
+	return [this] {
 		double sum = 0;
-		for (const CutPanel& panel : sewTogether(share, true).panels)
+		for (const CutPanel& panel : sewTogether(true).panels)
 			sum += excess(panel);
 		return sum;
 	};
@@ -197,16 +194,12 @@ SewnExcess PanelPlan::excessBeyond(double share) {
 /// Divides what does not hold together, in two each time.
 SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 40;
-	SewnPanels sewn = sewTogether(1, false);
+	SewnPanels sewn = sewTogether(false);
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
-		int worst = 0;
-		for (int panel = 0; panel < planned_.surface.panelCount(); ++panel)
-			if (excess(sewn.panels[panel]) > excess(sewn.panels[worst]))
-				worst = panel;
-		if (excess(sewn.panels[worst]) == 0 || planned_.surface.trianglesOf(worst).size() < 2 ||
-			!divideInTwo(worst))
+		const int worst = worstOf(sewn);
+		if (worst < 0 || planned_.surface.trianglesOf(worst).size() < 2 || !divideInTwo(worst))
 			break;
-		sewn = sewTogether(1, false);
+		sewn = sewTogether(false);
 	}
 	return sewn;
 }
@@ -282,7 +275,7 @@ SewnPanels PanelPlan::smoothSeams() {
 	for (const double spread : spreads) {
 		planned_ = before;
 		drawSmoothSeams(spread);
-		sewn = sewTogether(1, true);
+		sewn = sewTogether(true);
 		const bool sameCount = countPanels(planned_.surface) <= countPanels(before.surface);
 		if (tests_->stopped() || (sameCount && worstOf(sewn) < 0))
 			break;
@@ -295,11 +288,11 @@ CutResult PanelPlan::run() {
 	clusters_ = planned_.surface.panels();
 	joinUntilAllHold();
 	if (!tests_->stopped() && options_.darts && options_.splitTriangles)
-		joinWithDarts(planned_.surface, *tests_, excessBeyond(1));
+		joinWithDarts(planned_.surface, *tests_, sewnExcess());
 	SewnPanels sewn = divideUntilAllHold();
 	if (options_.maxPanels > 0 && countPanels(planned_.surface) > options_.maxPanels) {
 		joinToSoFew();
-		sewn = sewTogether(1, false);
+		sewn = sewTogether(false);
 	}
 	CutResult result;
 	if (tests_->stopped()) {
@@ -320,7 +313,7 @@ void PanelPlan::joinToSoFew() {
 		history_.tryAllAgain();
 		joinPanels(planned_.surface, *tests_, history_);
 		if (options_.darts && options_.splitTriangles)
-			joinWithDarts(planned_.surface, *tests_, excessBeyond(1));
+			joinWithDarts(planned_.surface, *tests_, sewnExcess());
 	}
 }
 

@@ -30,8 +30,8 @@ private:
 	bool divideInTwo(int panel);
 	void joinToSoFew();
 
-	SewnPanels sewTogether(double share, bool brief);
-	SewnExcess excessBeyond(double share);
+	SewnPanels sewTogether(bool brief);
+	SewnExcess sewnExcess();
 	SewnPanels divideUntilAllHold();
 	void joinUntilAllHold();
 	int panelBefore(const PlannedSurface& before, int panel) const;

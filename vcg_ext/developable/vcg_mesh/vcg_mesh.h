@@ -38,10 +38,8 @@ auto colourKey(const FaceType& face) {
 /// \param whole  says of a face whether what its label is made of are numbers: others equal nothing
 template <class MeshType, class Condition>
 void requireNumbers(const MeshType& mesh, const Condition& whole, const std::string& what) {
-	std::vector<std::size_t> invalid;
-	for (std::size_t face = 0; face < mesh.face.size(); ++face)
-		if (!mesh.face[face].IsD() && !whole(mesh.face[face]))
-			invalid.push_back(face);
+	const std::vector<int> invalid = indicesWhere(
+		int(mesh.face.size()), [&](int face) { return !mesh.face[face].IsD() && !whole(mesh.face[face]); });
 	if (!invalid.empty())
 		throw MissingAttribute(counted(invalid.size(), "face has ", "faces have ") + what + " See face " +
 							   std::to_string(invalid.front()) + ".");
