@@ -37,14 +37,27 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, Cont
 	return Restoration(problem, run, steps, continuation.epsilon()).restore();
 }
 
+/// A developable shape with a place that moves a little farther than it had better: there may be one near it
+/// that does without. \return Reached, with the shape as it was where that leads nowhere; Stopped
+Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
+	const Shape found = run.shape();
+	const double preferred = problem.preferredMove();
+	if (found.farthest <= preferred || found.farthest > problem.tuning().preferredReach * preferred)
+		return Ending::Reached;
+	const Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
+	if (ending != Ending::Reached && ending != Ending::Stopped)
+		run.goBackTo(found);
+	return ending == Ending::Stopped ? ending : Ending::Reached;
+}
+
 /// A developable shape that is farther away than places may go is none that was looked for, but there may be
 /// one near it that is.
 /// \param nearest  becomes how far the nearest developable shape moves a place, where that is too far
 Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussNewton& steps,
 				   double& nearest) {
 	if (!run.farOff())
-		return ending;
-	ReturnWithinBound way(problem, run, steps);
+		return ending == Ending::Reached ? withinPreferred(problem, run, steps) : ending;
+	ReturnWithinBound way(problem, run, steps, problem.goal().farthest);
 	const Ending ofReturn = way.run();
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
 		return ofReturn;

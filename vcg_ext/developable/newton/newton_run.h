@@ -31,6 +31,8 @@ public:
 
 	/// Back to where it began; steps are counted on.
 	void restart() { moveTo(problem_.shapeAt(start_)); }
+	/// Back to a shape that it has had.
+	void goBackTo(const Shape& shape) { moveTo(shape); }
 
 	/// Counts a step. \return false when there have been as many as may be, or the work is spent
 	bool takeStep();

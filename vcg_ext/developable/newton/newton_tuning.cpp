@@ -87,6 +87,8 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"heavyPlace", &NewtonTuning::heavyPlace},
 		{"returnProgress", &NewtonTuning::returnProgress},
 		{"returnReach", &NewtonTuning::returnReach},
+		{"preferredMove", &NewtonTuning::preferredMove},
+		{"preferredReach", &NewtonTuning::preferredReach},
 		{"leastSquares", &NewtonTuning::leastSquares},
 		{"workPerPlace", &NewtonTuning::workPerPlace},
 		{"workOnSmall", &NewtonTuning::workOnSmall},

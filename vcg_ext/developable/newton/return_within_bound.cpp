@@ -7,13 +7,13 @@
 
 namespace developable::detail {
 
-ReturnWithinBound::ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps)
-	: problem_(problem), run_(run), steps_(steps), masses_(problem.metric().placeMass()),
+ReturnWithinBound::ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound)
+	: problem_(problem), run_(run), steps_(steps), bound_(bound), masses_(problem.metric().placeMass()),
 	  nearest_(run.shape().farthest) {}
 
 Ending ReturnWithinBound::run() {
 	const NewtonTuning& tuning = problem_.tuning();
-	if (nearest_ > tuning.returnReach * problem_.goal().farthest)
+	if (nearest_ > tuning.returnReach * bound_)
 		return Ending::Stuck;
 	steps_.beginToStiffen();
 	makeFarPlacesHeavier();
@@ -21,7 +21,7 @@ Ending ReturnWithinBound::run() {
 		const Ending ending = round();
 		if (ending != Ending::Reached && ending != Ending::Stuck)
 			return ending;
-		if (ending == Ending::Reached && !run_.farOff())
+		if (ending == Ending::Reached && run_.shape().farthest <= bound_)
 			return Ending::Reached;
 		if (problem_.metric().tooStiff())
 			return Ending::Stuck;
@@ -39,7 +39,7 @@ Ending ReturnWithinBound::run() {
 void ReturnWithinBound::makeFarPlacesHeavier() {
 	nearest_ = std::min(nearest_, run_.shape().farthest);
 	const Positions displacement = problem_.displacement(run_.shape());
-	const double aim = problem_.tuning().returnAim * problem_.goal().farthest;
+	const double aim = problem_.tuning().returnAim * bound_;
 	Eigen::VectorXd more = Eigen::VectorXd::Zero(masses_.size());
 	for (int place = 0; place < masses_.size(); ++place) {
 		const double share = displacement.col(place).norm() / aim;

@@ -13,7 +13,8 @@ namespace developable::detail {
 /// least of the largest.
 class ReturnWithinBound {
 public:
-	ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
+	/// \param bound  on displacements, length
+	ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound);
 
 	/// \return Reached, with a shape within the bound; Stuck, with the run at any shape; OutOfSteps; Stopped;
 	///         Unsolvable
@@ -32,6 +33,7 @@ private:
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	GaussNewton& steps_;
+	const double bound_;
 	Eigen::VectorXd masses_; ///< of the places, as they have become
 	double nearest_;
 };

@@ -5,6 +5,7 @@
 #include "developable/geometry/geometry.h"
 #include "developable/mesh/mesh.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace developable::detail {
@@ -19,6 +20,11 @@ public:
 	const PatchAssembly& assembly() const { return assembly_; }
 	const Positions& positions() const { return assembly_.originalPositions; }
 	int panelCount() const { return static_cast<int>(triangles_.size()); }
+	/// Without those that were joined to others.
+	int usedPanelCount() const {
+		return static_cast<int>(std::count_if(triangles_.begin(), triangles_.end(),
+											  [](const auto& triangles) { return !triangles.empty(); }));
+	}
 	int panelOf(int triangle) const { return panelOf_[triangle]; }
 	const std::vector<int>& panels() const { return panelOf_; }
 	/// Ascending; none of a panel that was joined to another.

@@ -14,16 +14,24 @@ namespace {
 constexpr double leastCotangent = 0.05, greatestCotangent = 5;
 
 /// Half edges across which nothing spreads. A seam through a sharp point has to stay there.
-std::vector<char> wallsOf(const CutSurface& surface, const std::vector<int>& labels, double creaseAngle) {
+std::vector<char> wallsOf(const CutSurface& surface, const std::vector<int>& labels,
+						  const Spreading& spreading) {
 	const PatchAssembly& assembly = surface.assembly();
+	const auto holdsSeam = [&](SharpFeatures::Kind kind, int triangle) {
+		return kind == SharpFeatures::Alone ||
+			   (kind == SharpFeatures::AmongOthers && spreading.keepsToEverySharpEdge[triangle]);
+	};
 	const auto isSharp = [&](int h) {
-		return turnAt(surface, h) > creaseAngle * pi / 180 || surface.isSharpPoint(surface.startOf(h)) ||
-			   surface.isSharpPoint(surface.endOf(h));
+		const int t = triangleOf(h);
+		return holdsSeam(spreading.features.edges[h], t) ||
+			   holdsSeam(spreading.features.points[surface.startOf(h)], t) ||
+			   holdsSeam(spreading.features.points[surface.endOf(h)], t);
 	};
 	std::vector<char> wall(3 * assembly.triangleCount(), 0);
 	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
 		const int other = assembly.across(h);
-		wall[h] = other < 0 || (labels[triangleOf(h)] != labels[triangleOf(other)] && isSharp(h));
+		wall[h] = other < 0 ||
+				  (labels[triangleOf(h)] != labels[triangleOf(other)] && (isSharp(h) || isSharp(other)));
 	}
 	return wall;
 }
@@ -44,32 +52,23 @@ Numbering fansBetween(const CutSurface& surface, const std::vector<char>& wall) 
 
 } // namespace
 
-double turnAt(const CutSurface& surface, int halfEdge) {
-	const int other = surface.assembly().across(halfEdge);
-	if (other < 0)
-		return 0;
-	const Eigen::Vector3d a = surface.normals().col(triangleOf(halfEdge));
-	const Eigen::Vector3d b = surface.normals().col(triangleOf(other));
-	return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 Memberships memberships(const CutSurface& surface, const std::vector<int>& labels, int labelCount,
-						double edges, double creaseAngle, const std::vector<char>& held) {
+						const Spreading& spreading, const std::vector<char>& held) {
 	const PatchAssembly& assembly = surface.assembly();
 	Memberships result;
-	result.wall = wallsOf(surface, labels, creaseAngle);
-	const Numbering fans = fansBetween(surface, result.wall);
+	const Numbering fans = fansBetween(surface, wallsOf(surface, labels, spreading));
 	result.nodes = fans.count;
 	result.triangleNodes =
 		Eigen::Map<const Eigen::Matrix3Xi>(fans.number.data(), 3, assembly.triangleCount());
-	const double time = std::pow(edges * meanEdgeLength(assembly), 2);
+	const double length = meanEdgeLength(assembly);
 	const Eigen::Matrix3Xd cotangents = cornerCotangents(assembly, surface.positions());
 	std::vector<Eigen::Triplet<double>> entries;
 	result.values = Eigen::MatrixXd::Zero(fans.count, labelCount);
 	for (int h = 0; h < static_cast<int>(fans.number.size()); ++h) {
 		const int t = triangleOf(h), node = fans.number[h], next = fans.number[nextCorner(h)];
 		const double opposite = cotangents.data()[previousCorner(h)];
-		const double weight = time / 2 * std::min(std::max(opposite, leastCotangent), greatestCotangent);
+		const double weight = std::pow(spreading.edges[t] * length, 2) / 2 *
+							  std::min(std::max(opposite, leastCotangent), greatestCotangent);
 		// Triangles that keep their label weigh so much that diffusion can't change it.
 		const double mass = surface.areas()[t] / 3 * (!held.empty() && held[t] ? 1e6 : 1);
 		entries.emplace_back(node, node, mass + weight);

@@ -3,7 +3,7 @@
 // curve that is shorter and smoother than the edges between the labels.
 #pragma once
 
-#include "cut_surface.h"
+#include "sharp_features.h"
 
 namespace developable::detail {
 
@@ -13,23 +13,24 @@ struct Memberships {
 	Eigen::Matrix3Xi triangleNodes; ///< 3 x triangles
 	int nodes = 0;
 	Eigen::MatrixXd values; ///< nodes x labels, 0 to 1; rows add up to 1
-	std::vector<char>
-		wall; ///< per half edge, of both sides: a border, or a crease or sharp point between labels
+};
+
+/// How far labels spread, and what holds them.
+struct Spreading {
+	SharpFeatures features;
+	std::vector<double> edges;               ///< per triangle, how far, in mean edge lengths of the surface
+	std::vector<char> keepsToEverySharpEdge; ///< per triangle; else only to those that are alone
 };
 
 /// One implicit step of the heat equation for the indicator of each label, as in the threshold dynamics of
 /// Merriman, Bence and Osher (1992) and with many labels Esedoglu and Otto (2015).
-/// \param labels       per triangle, 0 to labelCount - 1
-/// \param edges        how far the heat goes, in mean edge lengths
-/// \param creaseAngle  labels that meet at an edge with a sharper turn stay there, degrees
-/// \param held         per triangle whether its vertices keep its label, or empty
+/// \param labels     per triangle, 0 to labelCount - 1
+/// \param spreading  labels that meet at a sharp edge or point stay there
+/// \param held       per triangle whether its vertices keep its label, or empty
 Memberships memberships(const CutSurface& surface, const std::vector<int>& labels, int labelCount,
-						double edges, double creaseAngle, const std::vector<char>& held);
+						const Spreading& spreading, const std::vector<char>& held);
 
 /// The label of which each triangle has most, where connected parts stay connected.
 std::vector<int> mostMembership(const Memberships& memberships);
-
-/// The angle between the normals of the two triangles at a half edge, rad; 0 at a border.
-double turnAt(const CutSurface& surface, int halfEdge);
 
 } // namespace developable::detail

@@ -18,8 +18,9 @@ constexpr double smallShare = 0.15; ///< of a patch's area
 
 class Joining {
 public:
-	Joining(CutSurface& surface, PanelTests& tests, JoinHistory& history)
-		: surface_(surface), tests_(tests), history_(history) {}
+	Joining(CutSurface& surface, PanelTests& tests, JoinHistory& history,
+			const std::function<bool(const SeamChain&)>& mayGo)
+		: surface_(surface), tests_(tests), history_(history), mayGo_(mayGo) {}
 
 	void run() {
 		const double first = static_cast<double>(seamChains(surface_).size());
@@ -40,7 +41,7 @@ private:
 		std::vector<SeamChain> chains = seamChains(surface_);
 		chains.erase(std::remove_if(chains.begin(), chains.end(),
 									[&](const SeamChain& chain) {
-										return isSlit(chain) ||
+										return isSlit(chain) || (mayGo_ && !mayGo_(chain)) ||
 											   history_.wasRefused(surface_, chain.halfEdges);
 									}),
 					 chains.end());
@@ -94,13 +95,15 @@ private:
 	CutSurface& surface_;
 	PanelTests& tests_;
 	JoinHistory& history_;
+	const std::function<bool(const SeamChain&)>& mayGo_;
 	int left_ = 0;
 };
 
 } // namespace
 
-void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history) {
-	Joining(surface, tests, history).run();
+void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history,
+				const std::function<bool(const SeamChain&)>& mayGo) {
+	Joining(surface, tests, history, mayGo).run();
 }
 
 bool SewnJoining::join(const std::vector<int>& halfEdges) {

@@ -29,7 +29,14 @@ private:
 };
 
 /// Joins panels across whole seams, greedily: those whose union is a panel by itself.
-void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history);
+/// \param mayGo  which seams are tried; all when it is empty
+void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history,
+				const std::function<bool(const SeamChain&)>& mayGo = {});
+
+/// Joins panels across whole seams where their union is a panel once it has darts that are shorter than the
+/// seam. \param tips  of the darts; new ones are added
+void joinWithRelief(CutSurface& surface, PanelTests& tests, JoinHistory& history,
+					std::vector<Eigen::Vector3d>& tips);
 
 /// Where a whole seam can't go, a long part of it does, from one of its ends on; the rest stays as a dart.
 void joinWithDarts(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);

@@ -4,30 +4,27 @@
 
 #include "cut_report.h"
 #include "normal_clusters.h"
+#include "panel_dissolving.h"
 #include "panel_joining.h"
+#include "relief_darts.h"
+#include "seam_drawing.h"
+#include "selected_whole.h"
 #include "sewn_panels.h"
-#include "slit_labels.h"
-#include "smooth_seams.h"
+
+#include "developable/newton/constrained_newton.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace developable::detail {
 
 namespace {
 
 constexpr double defaultDisplacement = 0.02; ///< of the diagonal of a part
-constexpr double spreads[] = {1.5, 0.7};     ///< of seams that are drawn, the same
 constexpr double smoothing = 1.5;            ///< how far labels spread, in mean edge lengths
-
-int countPanels(const CutSurface& surface) {
-	int count = 0;
-	for (int panel = 0; panel < surface.panelCount(); ++panel)
-		count += !surface.trianglesOf(panel).empty();
-	return count;
-}
 
 /// How bad it is that a panel is not developable, in any unit; 0 when it is.
 double excess(const CutPanel& panel) {
@@ -37,12 +34,35 @@ double excess(const CutPanel& panel) {
 	return std::max(least, panel.maxDisplacement * (1 + panel.curvatureAfter));
 }
 
+/// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
+bool wantsDart(const CutPanel& panel) {
+	const bool overlaps = panel.reason == Reason::NeedsCut &&
+						  panel.curvatureAfter <= ConstrainedNewtonOptions().curvatureTolerance;
+	return excess(panel) > 0 && panel.reason != Reason::BeyondBounds && !overlaps;
+}
+
+double totalExcess(const SewnPanels& sewn) {
+	double sum = 0;
+	for (const CutPanel& panel : sewn.panels)
+		sum += excess(panel);
+	return sum;
+}
+
 /// The panel that holds least, of those that do not; -1: all hold.
 int worstOf(const SewnPanels& sewn) {
 	const auto worst =
 		std::max_element(sewn.panels.begin(), sewn.panels.end(),
 						 [](const CutPanel& a, const CutPanel& b) { return excess(a) < excess(b); });
 	return excess(*worst) > 0 ? static_cast<int>(worst - sewn.panels.begin()) : -1;
+}
+
+/// Where what does not hold is worst, per panel of those.
+std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn) {
+	std::vector<Eigen::Vector3d> points;
+	for (const CutPanel& panel : sewn.panels)
+		if (excess(panel) > 0)
+			points.push_back(panel.worstPoint);
+	return points;
 }
 
 } // namespace
@@ -92,41 +112,14 @@ void PanelPlan::makeClusters() {
 
 /// Labels spread a little, which takes away the teeth of their edges.
 void PanelPlan::tidyClusters() {
-	const Memberships spread =
-		memberships(planned_.surface, planned_.surface.panels(), planned_.surface.panelCount(), smoothing,
-					options_.creaseAngle, keptTriangles());
-	planned_.surface.relabel(planned_.surface.withoutFragments(withSelectedWhole(mostMembership(spread))));
-}
-
-std::vector<char> PanelPlan::keptTriangles() const {
-	return options_.keepSelected ? planned_.mesh.triangleSelected : std::vector<char>();
-}
-
-/// Each connected part of what is selected has one label, that of most of its area, if it is to stay whole.
-/// \param labels  per triangle
-std::vector<int> PanelPlan::withSelectedWhole(std::vector<int> labels) const {
-	if (!options_.keepSelected)
-		return labels;
 	const int count = planned_.surface.assembly().triangleCount();
-	DisjointSets connected(count);
-	for (int h = 0; h < 3 * count; ++h) {
-		const int other = planned_.surface.assembly().across(h);
-		if (other >= 0 && planned_.mesh.triangleSelected[triangleOf(h)] &&
-			planned_.mesh.triangleSelected[triangleOf(other)])
-			connected.unite(triangleOf(h), triangleOf(other));
-	}
-	std::map<int, std::map<int, double>> areas; // by part and label
-	for (int t = 0; t < count; ++t)
-		if (planned_.mesh.triangleSelected[t])
-			areas[connected.find(t)][labels[t]] += planned_.surface.areas()[t];
-	for (int t = 0; t < count; ++t)
-		if (planned_.mesh.triangleSelected[t]) {
-			const auto& ofPart = areas[connected.find(t)];
-			labels[t] = std::max_element(ofPart.begin(), ofPart.end(), [](const auto& a, const auto& b) {
-							return a.second < b.second;
-						})->first;
-		}
-	return labels;
+	const Spreading spreading{sharpFeatures(planned_.surface, options_.creaseAngle),
+							  std::vector<double>(count, smoothing), std::vector<char>(count, 1)};
+	const Memberships spread =
+		memberships(planned_.surface, planned_.surface.panels(), planned_.surface.panelCount(), spreading,
+					keptTriangles(planned_, options_));
+	planned_.surface.relabel(
+		planned_.surface.withoutFragments(withSelectedWhole(planned_, options_, mostMembership(spread))));
 }
 
 /// In two, if that is possible. \return whether it was
@@ -139,7 +132,7 @@ bool PanelPlan::divideInTwo(int panel) {
 	std::vector<int> labels(planned_.surface.assembly().triangleCount(), -1);
 	for (std::size_t i = 0; i < triangles.size(); ++i)
 		labels[triangles[i]] = halves[i];
-	labels = withSelectedWhole(std::move(labels));
+	labels = withSelectedWhole(planned_, options_, std::move(labels));
 	std::vector<int> ofPanel;
 	ofPanel.reserve(triangles.size());
 	for (const int t : triangles)
@@ -165,7 +158,8 @@ void PanelPlan::divideUntilFlat() {
 			panels.push_back(panel);
 		}
 		if (panels.empty() ||
-			!tests_->mayGoOn(0.05, "testing " + std::to_string(countPanels(planned_.surface)) + " clusters"))
+			!tests_->mayGoOn(0.05,
+							 "testing " + std::to_string(planned_.surface.usedPanelCount()) + " clusters"))
 			return;
 		const std::vector<PanelVerdict> verdicts = tests_->test(trials);
 		for (std::size_t i = 0; i < panels.size() && !tests_->stopped(); ++i) {
@@ -183,12 +177,7 @@ SewnPanels PanelPlan::sewTogether(bool brief) {
 
 /// Sewn together, panels pull at each other.
 SewnExcess PanelPlan::sewnExcess() {
-	return [this] {
-		double sum = 0;
-		for (const CutPanel& panel : sewTogether(true).panels)
-			sum += excess(panel);
-		return sum;
-	};
+	return [this] { return totalExcess(sewTogether(true)); };
 }
 
 /// Divides what does not hold together, in two each time.
@@ -208,41 +197,20 @@ Progress PanelPlan::progressOfRest() {
 	return [this](double, const std::string&) { return tests_->mayGoOn(0.7, "sewing the panels together"); };
 }
 
-/// Seams between the same two panels, or the slit of one, need clusters as labels: these say which chains of
-/// the new seams go.
-void PanelPlan::drawSmoothSeams(double edges) {
-	SlitLabels before(planned_.surface, clusters_);
-	const Memberships spread = memberships(planned_.surface, before.labels(), before.count(), edges,
-										   options_.creaseAngle, keptTriangles());
-	if (!options_.splitTriangles) {
-		CutSurface drawn = planned_.surface;
-		const std::vector<int> labels = drawn.withoutFragments(withSelectedWhole(mostMembership(spread)));
-		drawn.relabel(labels);
-		before.openWithin(drawn, labels);
-		planned_.surface = std::move(drawn);
-		return;
-	}
-	SplitMesh split = splitAlongSeams(planned_.mesh, planned_.surface, spread);
-	for (VertexOrigin& origin : split.origins)
-		origin = {planned_.origins[origin.first].first, planned_.origins[origin.second].first, origin.share};
-	for (int& face : split.mesh.face)
-		face = planned_.mesh.face[face];
-	CutSurface drawn(assemblePatches(split.mesh, {}));
-	const std::vector<int> labels = drawn.withoutFragments(split.labels);
-	drawn.relabel(labels);
-	before.openWithin(drawn, labels);
-	planned_ = {std::move(split.mesh), std::move(split.origins), std::move(drawn)};
-}
-
 /// Panels that hold by themselves may not when they are sewn together with smooth seams: then the last join
 /// of the worst is taken back, and its halves may go to others.
 void PanelPlan::joinUntilAllHold() {
 	constexpr int rounds = 12;
 	for (int round = 1; !tests_->stopped(); ++round) {
 		joinPanels(planned_.surface, *tests_, history_);
+		if (round == 1)
+			dissolvePanels(planned_.surface, clusters_, *tests_, history_);
 		if (tests_->stopped() || seamChains(planned_.surface).empty())
 			return;
+		if (round == 1 && options_.darts && options_.splitTriangles)
+			joinWithRelief(planned_.surface, *tests_, history_, dartTips_);
 		const PlannedSurface joined = planned_;
+		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
 		const SewnPanels sewn = smoothSeams();
 		const int worst = worstOf(sewn);
 		if (worst < 0 || round == rounds || tests_->stopped())
@@ -251,7 +219,39 @@ void PanelPlan::joinUntilAllHold() {
 		if (!history_.takeBack(divided.surface, panelBefore(joined, worst)))
 			return;
 		planned_ = std::move(divided);
+		dartTips_ = dartTips;
 	}
+}
+
+bool PanelPlan::addDart(int panel, const Eigen::Vector3d& at, double length) {
+	const Dart dart = cutDart(planned_.surface, panel, at, length);
+	if (dart.length > 0)
+		dartTips_.push_back(dart.tip);
+	return dart.length > 0;
+}
+
+/// Panels that just fail to hold get darts where they do, as long as these bring them nearer to it.
+SewnPanels PanelPlan::relieved(SewnPanels sewn) {
+	constexpr int rounds = 6;
+	constexpr double firstLength = 3; // mean edge lengths
+	double length = firstLength * meanEdgeLength(planned_.surface.assembly());
+	if (!options_.darts || !options_.splitTriangles)
+		return sewn;
+	for (int round = 0; round < rounds && !tests_->stopped() && worstOf(sewn) >= 0; ++round) {
+		bool any = false;
+		for (int panel = 0; panel < planned_.surface.panelCount(); ++panel)
+			if (wantsDart(sewn.panels[panel]))
+				any = addDart(panel, sewn.panels[panel].worstPoint, length) || any;
+		if (!any)
+			break;
+		SewnPanels next = sewTogether(true);
+		if (tests_->stopped())
+			break;
+		if (totalExcess(next) > totalExcess(sewn))
+			length *= 2;
+		sewn = std::move(next);
+	}
+	return sewn;
 }
 
 /// The panel of a surface that was there before faces were split which has most of a panel that is there now.
@@ -268,16 +268,25 @@ int PanelPlan::panelBefore(const PlannedSurface& before, int panel) const {
 		->first;
 }
 
-/// Smooth seams move a little. Where that spoils what would hold they move less.
+/// Smooth seams move a little: first as little as can be, and where that holds as much as holds.
 SewnPanels PanelPlan::smoothSeams() {
 	const PlannedSurface before = planned_;
-	SewnPanels sewn;
-	for (const double spread : spreads) {
-		planned_ = before;
-		drawSmoothSeams(spread);
-		sewn = sewTogether(true);
-		const bool sameCount = countPanels(planned_.surface) <= countPanels(before.surface);
-		if (tests_->stopped() || (sameCount && worstOf(sewn) < 0))
+	SeamDrawing drawing(before, clusters_, dartTips_, options_);
+	planned_ = drawing.drawn();
+	SewnPanels sewn = relieved(sewTogether(true));
+	const auto holds = [&](const SewnPanels& panels) {
+		return planned_.surface.usedPanelCount() <= before.surface.usedPanelCount() && worstOf(panels) < 0;
+	};
+	constexpr int rounds = 8;
+	drawing.smoothen();
+	for (int round = 0; round < rounds && !tests_->stopped() && holds(sewn); ++round) {
+		const PlannedSurface safe = std::exchange(planned_, drawing.drawn());
+		SewnPanels smoother = sewTogether(true);
+		if (holds(smoother))
+			return smoother;
+		const bool mayBeTighter = drawing.tightenAt(worstPoints(smoother));
+		planned_ = safe;
+		if (!mayBeTighter)
 			break;
 	}
 	return sewn;
@@ -290,7 +299,7 @@ CutResult PanelPlan::run() {
 	if (!tests_->stopped() && options_.darts && options_.splitTriangles)
 		joinWithDarts(planned_.surface, *tests_, sewnExcess());
 	SewnPanels sewn = divideUntilAllHold();
-	if (options_.maxPanels > 0 && countPanels(planned_.surface) > options_.maxPanels) {
+	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {
 		joinToSoFew();
 		sewn = sewTogether(false);
 	}
@@ -307,8 +316,8 @@ CutResult PanelPlan::run() {
 /// At the price of larger displacements.
 void PanelPlan::joinToSoFew() {
 	constexpr int doublings = 4;
-	for (int i = 0; i < doublings && !tests_->stopped() && countPanels(planned_.surface) > options_.maxPanels;
-		 ++i) {
+	for (int i = 0;
+		 i < doublings && !tests_->stopped() && planned_.surface.usedPanelCount() > options_.maxPanels; ++i) {
 		tests_->relax(2);
 		history_.tryAllAgain();
 		joinPanels(planned_.surface, *tests_, history_);

@@ -25,8 +25,6 @@ private:
 	void makeClusters();
 	void tidyClusters();
 	void divideUntilFlat();
-	std::vector<char> keptTriangles() const;
-	std::vector<int> withSelectedWhole(std::vector<int> labels) const;
 	bool divideInTwo(int panel);
 	void joinToSoFew();
 
@@ -35,8 +33,9 @@ private:
 	SewnPanels divideUntilAllHold();
 	void joinUntilAllHold();
 	int panelBefore(const PlannedSurface& before, int panel) const;
+	bool addDart(int panel, const Eigen::Vector3d& at, double length);
+	SewnPanels relieved(SewnPanels sewn);
 	SewnPanels smoothSeams();
-	void drawSmoothSeams(double edges);
 	Progress progressOfRest();
 
 	const CutOptions options_;
@@ -44,6 +43,7 @@ private:
 	PlannedSurface planned_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
+	std::vector<Eigen::Vector3d> dartTips_;
 	JoinHistory history_;
 };
 

@@ -32,6 +32,7 @@ ConstrainedNewtonOptions briefRun(double maxDisplacement) {
 	options.tuning.attempts = 1;
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
+	options.tuning.preferredMove = 0;
 	options.tuning.returnReach = 1.5; // farther shapes have hardly ever one within the limit near them
 	return options;
 }
@@ -40,6 +41,12 @@ Eigen::Vector3d worstPoint(const PatchAssembly& assembly, const Positions& posit
 	Eigen::Index worst = 0;
 	angleDefects(assembly, positions).cwiseAbs().maxCoeff(&worst);
 	return assembly.originalPositions.col(assembly.placeOfCopy[worst]);
+}
+
+Eigen::Vector3d farthestPoint(const PatchAssembly& assembly, const Positions& positions) {
+	Eigen::Index farthest = 0;
+	(positions - assembly.originalPositions).colwise().squaredNorm().maxCoeff(&farthest);
+	return assembly.originalPositions.col(farthest);
 }
 
 bool liesFlat(const PatchAssembly& assembly, const Positions& positions) {
@@ -68,8 +75,10 @@ void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, co
 	const bool near = isNear(assembly, positions, limits, verdict);
 	if (!converged(report.status))
 		verdict.worstPoint = worstPoint(assembly, positions);
+	else if (!near)
+		verdict.worstPoint = farthestPoint(assembly, positions);
 	else
-		verdict.flat = near && liesFlat(assembly, positions);
+		verdict.flat = liesFlat(assembly, positions);
 }
 
 void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,

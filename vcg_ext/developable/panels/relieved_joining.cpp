@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// relieved_joining.cpp: unions that need a dart or two.
+#include "panel_joining.h"
+#include "relief_darts.h"
+
+#include <algorithm>
+#include <set>
+
+namespace developable::detail {
+
+namespace {
+
+constexpr int batchSize = 4;           ///< of unions in whose darts are tried together
+constexpr int mostDarts = 6;           ///< in a union
+constexpr double worthwhile = 0.7;     ///< of the seam that goes: darts of more length are no gain
+constexpr double firstLength = 3;      ///< of a dart, in mean edge lengths
+constexpr double lengthIncrease = 1.5; ///< from a dart to the next
+
+/// Two panels as one, with darts.
+struct Union {
+	SeamChain chain;
+	CutSurface surface;
+	int panel = -1;
+	std::vector<Eigen::Vector3d> tips;
+	double dartLength = 0;
+	PanelVerdict verdict;
+
+	bool holds() const { return verdict.flat && verdict.disk; }
+};
+
+class RelievedJoining {
+public:
+	RelievedJoining(CutSurface& surface, PanelTests& tests, JoinHistory& history,
+					std::vector<Eigen::Vector3d>& tips)
+		: surface_(surface), tests_(tests), history_(history), tips_(tips),
+		  edge_(meanEdgeLength(surface.assembly())) {}
+
+	void run() {
+		while (!tests_.stopped()) {
+			std::vector<Union> unions = nextUnions();
+			if (unions.empty() || !tests_.mayGoOn(0.7, "trying panels with darts"))
+				return;
+			relieve(unions);
+			for (const Union& joined : unions)
+				if (joined.holds() && !tests_.stopped())
+					keep(joined);
+		}
+	}
+
+private:
+	/// Across the longest seams that were not tried; no two have a panel in common.
+	std::vector<Union> nextUnions() {
+		std::vector<SeamChain> chains = seamChains(surface_);
+		std::stable_sort(chains.begin(), chains.end(),
+						 [](const SeamChain& a, const SeamChain& b) { return a.length > b.length; });
+		std::vector<Union> unions;
+		std::set<int> taken;
+		for (const SeamChain& chain : chains) {
+			if (static_cast<int>(unions.size()) == batchSize)
+				break;
+			if (chain.within() || taken.count(chain.panels[0]) + taken.count(chain.panels[1]) > 0 ||
+				!tried_.insert({chain.panels[0], chain.panels[1], chain.halfEdges.front()}).second)
+				continue;
+			taken.insert(chain.panels.begin(), chain.panels.end());
+			Union joined{chain, surface_, -1, {}, 0, {}};
+			joined.panel = joined.surface.join(chain.halfEdges);
+			unions.push_back(std::move(joined));
+		}
+		return unions;
+	}
+
+	/// Another dart in each that does not hold, again and again.
+	void relieve(std::vector<Union>& unions) {
+		std::vector<Union*> open;
+		for (Union& joined : unions)
+			open.push_back(&joined);
+		double length = firstLength * edge_;
+		for (int darts = 0; !open.empty() && !tests_.stopped(); ++darts, length *= lengthIncrease) {
+			test(open);
+			open.erase(std::remove_if(open.begin(), open.end(),
+									  [&](Union* joined) {
+										  return joined->holds() || !joined->verdict.disk ||
+												 darts == mostDarts || !addDart(*joined, length);
+									  }),
+					   open.end());
+		}
+	}
+
+	void test(const std::vector<Union*>& unions) {
+		std::vector<PanelTrial> trials;
+		for (const Union* joined : unions) {
+			const std::vector<int>& triangles = joined->surface.trianglesOf(joined->panel);
+			trials.push_back({joined->surface.meshOf(triangles),
+							  joined->surface.assembly().patchOfTriangle[triangles.front()]});
+		}
+		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
+		for (std::size_t i = 0; i < unions.size(); ++i)
+			unions[i]->verdict = verdicts[i];
+	}
+
+	/// \return whether there was room for it, and it pays
+	static bool addDart(Union& joined, double length) {
+		const Dart dart = cutDart(joined.surface, joined.panel, joined.verdict.worstPoint, length);
+		joined.tips.push_back(dart.tip);
+		joined.dartLength += dart.length;
+		return dart.length > 0 && joined.dartLength < worthwhile * joined.chain.length;
+	}
+
+	void keep(const Union& joined) {
+		history_.join(surface_, joined.chain.halfEdges);
+		const int panel = surface_.panelOf(triangleOf(joined.chain.halfEdges.front()));
+		for (const int t : surface_.trianglesOf(panel))
+			for (int h = 3 * t; h < 3 * t + 3; ++h)
+				if (joined.surface.isCut(h) != surface_.isCut(h))
+					surface_.setCut(h, joined.surface.isCut(h));
+		tips_.insert(tips_.end(), joined.tips.begin(), joined.tips.end());
+	}
+
+	CutSurface& surface_;
+	PanelTests& tests_;
+	JoinHistory& history_;
+	std::vector<Eigen::Vector3d>& tips_;
+	const double edge_;
+	std::set<std::array<int, 3>> tried_;
+};
+
+} // namespace
+
+void joinWithRelief(CutSurface& surface, PanelTests& tests, JoinHistory& history,
+					std::vector<Eigen::Vector3d>& tips) {
+	RelievedJoining(surface, tests, history, tips).run();
+}
+
+} // namespace developable::detail

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// seam_drawing.cpp: labels spread, seams where two of them are equal.
+#include "seam_drawing.h"
+
+#include "relief_darts.h"
+#include "selected_whole.h"
+#include "smooth_seams.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace developable::detail {
+
+namespace {
+
+/// How seams may be drawn, from smooth to safe.
+struct Manner {
+	double edges; ///< how far labels spread, in mean edge lengths
+	bool keepsToEverySharpEdge;
+};
+
+constexpr Manner manners[] = {{1.5, false}, {0.7, false}, {0.7, true}};
+constexpr int safest = 2;
+/// Mean edge lengths round a point where seams become tighter, at first and from time to time.
+constexpr double firstRadius = 4, growth = 1.25;
+constexpr double transition = 1.5; ///< of that radius, beyond which nothing changes
+
+/// The panel of the triangle whose middle is nearest.
+int panelAt(const CutSurface& surface, const Eigen::Vector3d& point) {
+	int nearest = 0;
+	double least = std::numeric_limits<double>::infinity();
+	for (int t = 0; t < surface.assembly().triangleCount(); ++t) {
+		const Eigen::Vector3d middle =
+			(surface.middleOf(3 * t) + surface.middleOf(3 * t + 1) + surface.middleOf(3 * t + 2)) / 3;
+		if ((middle - point).squaredNorm() < least) {
+			least = (middle - point).squaredNorm();
+			nearest = t;
+		}
+	}
+	return surface.panelOf(nearest);
+}
+
+} // namespace
+
+SeamDrawing::SeamDrawing(const PlannedSurface& planned, const std::vector<int>& clusters,
+						 const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options)
+	: planned_(planned), dartTips_(dartTips), options_(options), labels_(planned.surface, clusters),
+	  features_(sharpFeatures(planned.surface, options.creaseAngle)),
+	  tightness_(planned.surface.assembly().triangleCount(), safest) {}
+
+void SeamDrawing::smoothen() {
+	std::fill(tightness_.begin(), tightness_.end(), 0);
+	radius_ = firstRadius * meanEdgeLength(planned_.surface.assembly());
+}
+
+bool SeamDrawing::tightenAt(const std::vector<Eigen::Vector3d>& points) {
+	bool any = false;
+	for (int t = 0; t < static_cast<int>(tightness_.size()); ++t) {
+		const Eigen::Vector3d middle = planned_.surface.middleOf(3 * t);
+		for (const Eigen::Vector3d& point : points) {
+			const double distance = (point - middle).norm() / radius_;
+			const int least = distance < 1 ? safest : distance < transition ? safest - 1 : 0;
+			any = any || least > tightness_[t];
+			tightness_[t] = std::max(tightness_[t], least);
+		}
+	}
+	radius_ *= growth;
+	return any;
+}
+
+PlannedSurface SeamDrawing::drawn() const {
+	PlannedSurface result = withPanels();
+	for (const Eigen::Vector3d& tip : dartTips_)
+		cutDart(result.surface, panelAt(result.surface, tip), tip, 0);
+	return result;
+}
+
+/// Seams between the same two panels, or the slit of one, need clusters as labels: these say which chains of
+/// the new seams go.
+PlannedSurface SeamDrawing::withPanels() const {
+	Spreading spreading{features_, {}, {}};
+	for (const int tightness : tightness_) {
+		spreading.edges.push_back(manners[tightness].edges);
+		spreading.keepsToEverySharpEdge.push_back(manners[tightness].keepsToEverySharpEdge);
+	}
+	const Memberships spread = memberships(planned_.surface, labels_.labels(), labels_.count(), spreading,
+										   keptTriangles(planned_, options_));
+	if (options_.splitTriangles)
+		return splitAlong(spread);
+	PlannedSurface result = planned_;
+	const std::vector<int> labels =
+		result.surface.withoutFragments(withSelectedWhole(planned_, options_, mostMembership(spread)));
+	result.surface.relabel(labels);
+	labels_.openWithin(result.surface, labels);
+	return result;
+}
+
+PlannedSurface SeamDrawing::splitAlong(const Memberships& spread) const {
+	SplitMesh split = splitAlongSeams(planned_.mesh, planned_.surface, spread);
+	for (VertexOrigin& origin : split.origins)
+		origin = {planned_.origins[origin.first].first, planned_.origins[origin.second].first, origin.share};
+	for (int& face : split.mesh.face)
+		face = planned_.mesh.face[face];
+	CutSurface surface(assemblePatches(split.mesh, {}));
+	const std::vector<int> labels = surface.withoutFragments(split.labels);
+	surface.relabel(labels);
+	labels_.openWithin(surface, labels);
+	return {std::move(split.mesh), std::move(split.origins), std::move(surface)};
+}
+
+} // namespace developable::detail

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// seam_drawing.h: seams as smooth as they may be at each place.
+#pragma once
+
+#include "cut_into_panels.h"
+#include "memberships.h"
+#include "planned_surface.h"
+#include "slit_labels.h"
+
+namespace developable::detail {
+
+/// Draws the seams of a plan anew. How smooth they become is chosen triangle by triangle: a seam that follows
+/// a smooth curve everywhere may move away from where a panel needs it at one or two places.
+class SeamDrawing {
+public:
+	/// At first seams move as little as can be.
+	/// \param planned   outlives this
+	/// \param clusters  per triangle; both sides of any cut differ
+	/// \param dartTips  where darts end that no seam shows; both outlive this
+	SeamDrawing(const PlannedSurface& planned, const std::vector<int>& clusters,
+				const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options);
+
+	/// The same panels, with triangles split where seams cross them if that is asked for.
+	PlannedSurface drawn() const;
+
+	/// As smooth as they may become, everywhere.
+	void smoothen();
+
+	/// Less smooth near some points, farther round them each time. \return false when there is nothing to be
+	/// had
+	bool tightenAt(const std::vector<Eigen::Vector3d>& points);
+
+private:
+	PlannedSurface withPanels() const;
+	PlannedSurface splitAlong(const Memberships& spread) const;
+
+	const PlannedSurface& planned_;
+	const std::vector<Eigen::Vector3d>& dartTips_;
+	const CutOptions& options_;
+	SlitLabels labels_;
+	SharpFeatures features_;
+	std::vector<int> tightness_; ///< per triangle
+	double radius_ = 0;          ///< of what becomes tighter round a point, length
+};
+
+} // namespace developable::detail
