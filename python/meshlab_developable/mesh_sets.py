@@ -16,6 +16,7 @@ import pymeshlab
 from meshlab_developable import plugin
 from meshlab_developable.declared_counts import declared_faces
 from meshlab_developable.errors import (
+    DevelopableError,
     FilterError,
     InvalidMeshError,
     InvalidParameterError,
@@ -98,7 +99,7 @@ def apply_filter(meshes: Any, applied: Filter, values: Mapping[str, Any]) -> dic
         result: dict[str, Any] = meshes.apply_filter(applied.function, **converted)
     except pymeshlab.PyMeshLabException as error:
         forget_failure()
-        raise FilterError(own_words(str(error))) from error
+        raise told(error, FilterError) from error
     return result
 
 
@@ -126,7 +127,7 @@ def save(meshes: Any, path: Path) -> None:
         meshes.save_current_mesh(_name(path))
     except pymeshlab.PyMeshLabException as error:
         forget_failure()
-        raise InvalidMeshError(own_words(str(error))) from None
+        raise told(error, InvalidMeshError) from None
 
 
 def missing_elements(meshes: Any, path: Path) -> str:
@@ -193,6 +194,12 @@ def forget_failure() -> None:
     pymeshlab.MeshSet().create_cube()
 
 
+def told(error: Exception, kind: type[DevelopableError]) -> Exception:
+    """What pymeshlab raised, in the raiser's own words; MemoryError where memory was short."""
+    text = own_words(str(error))
+    return MemoryError(text) if "bad_alloc" in text else kind(text)
+
+
 def own_words(text: str) -> str:
     """A message without pymeshlab's frame round it."""
     return text.split("Error details:", 1)[-1].split("Details:", 1)[-1].strip()
@@ -235,7 +242,7 @@ def _load(path: Path) -> pymeshlab.MeshSet | None:
         if "Unknown format" in str(error):
             return None
         forget_failure()
-        raise InvalidMeshError(own_words(str(error))) from None
+        raise told(error, InvalidMeshError) from None
     except MemoryError:
         raise MemoryError(f"{path} needs more memory than there is; is its header right?") from None
     except (ValueError, RuntimeError) as error:  # of the libraries below the readers
