@@ -175,6 +175,19 @@ def test_patches_by_a_face_quality_that_is_no_number(name):
     meshes.add_mesh(pymeshlab.Mesh(*bump(), f_scalar_array=quality))
     sentence = refusal(meshes, name, patches="Face quality")
     assert sentence.startswith("2 faces have a quality that is not a number: compute it anew")
+    assert sentence.endswith(f" See face {np.flatnonzero(np.isnan(quality))[0]}.")
+
+
+@ALL
+def test_patches_by_texture_coordinates_that_are_no_numbers(name):
+    corners = np.zeros((3 * len(bump()[1]), 2))
+    corners[[14, 40, 41], [0, 1, 1]] = np.nan
+    faces = np.unique(np.flatnonzero(np.isnan(corners).any(axis=1)) // 3)
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(*bump(), w_tex_coords_matrix=corners))
+    sentence = refusal(meshes, name, patches="Texture islands")
+    assert sentence.startswith(f"{len(faces)} faces have texture coordinates that are not numbers: param")
+    assert sentence.endswith(f" See face {faces[0]}.")
 
 
 @pytest.mark.parametrize("title", ["Distance", "Displacement"])
