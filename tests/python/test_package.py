@@ -204,6 +204,8 @@ def test_bad_parameters_are_named(shell, arguments, words):
     [
         ([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], "n x 3"),
         ([["a", "b", "c"]], [[0, 0, 0]], "numbers"),
+        (np.zeros((0, 3)), np.zeros((0, 3), dtype=int), "0 vertices and 0 faces"),
+        (np.eye(3), np.zeros((0, 3), dtype=int), "3 vertices and 0 faces"),
         (np.eye(3), [[0, 1]], "m x 3"),
         (np.eye(3), [[0.0, 1.0, 2.0]], "whole numbers"),
         (np.eye(3), [[0, 1, 3], [0, 1, 2], [-1, 0, 1]], "2 faces"),
