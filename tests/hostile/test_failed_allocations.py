@@ -68,11 +68,11 @@ def steps(library, where, log, arguments, number):
         *(
             pytest.param(command, number, marks=pytest.mark.hostile)
             for command, number in [
-                (["measure"], 60),
-                (["global", "-q"], 60),
-                (["local", "-q"], 30),
-                (["cut", "-q"], 30),
-                (["flatten", "-q"], 30),
+                (["measure"], 30),
+                (["global", "-q"], 20),
+                (["local", "-q"], 10),
+                (["cut", "-q"], 10),
+                (["flatten", "-q"], 10),
             ]
         ),
     ],
@@ -93,8 +93,7 @@ def test_a_command_ends_in_words(command, number, preloaded, source, tmp_path):
                 told += 1
                 assert ran.stderr.splitlines()[-1].startswith("error: "), where
                 assert "memory" in ran.stderr, where
-                assert target.read_text() == "old", where
-            else:
+            if ran.returncode != 2 or target.read_bytes() != b"old":  # it is there before that is said
                 assert_whole(target)
             for left in set(target.parent.iterdir()) - {target}:  # to be tidied needs memory, too
                 assert left.name.startswith(".unfinished-"), where
@@ -109,7 +108,7 @@ def test_a_pattern_ends_in_words(preloaded, source, tmp_path):
     arguments = ["pattern", source / "small.ply", "--unit", "cm", "--max-strain", 90, "-o", target]
     target.mkdir(parents=True)
     whole = None
-    for first in steps(preloaded, "fork", tmp_path / "log", arguments, 30):
+    for first in steps(preloaded, "fork", tmp_path / "log", arguments, 15):
         whole = whole or {path.name for path in target.iterdir()}
         for count in (1, ALL):
             for path in target.iterdir():
@@ -119,7 +118,9 @@ def test_a_pattern_ends_in_words(preloaded, source, tmp_path):
             assert ran.returncode in (0, 2, 3), where
             assert "Traceback" not in ran.stderr, where
             assert {path.name for path in target.iterdir()} == whole, where
-            assert ran.returncode != 2 or all(path.read_text() == "old" for path in target.iterdir()), where
+            kept = sum(path.read_bytes() == b"old" for path in target.iterdir())
+            assert kept in (0, len(whole)), where
+            assert kept == 0 or ran.returncode == 2, where
 
 
 def assert_whole(path):
@@ -128,7 +129,7 @@ def assert_whole(path):
     assert meshes.current_mesh().face_number() >= 32
 
 
-@pytest.mark.parametrize("number", [1, pytest.param(16, marks=pytest.mark.hostile)])
+@pytest.mark.parametrize("number", [1, pytest.param(8, marks=pytest.mark.hostile)])
 def test_a_batch_has_a_row(number, preloaded, source, tmp_path):
     (tmp_path / "list.txt").write_text(f"{source}/small.ply\n")
     arguments = ["batch", tmp_path / "list.txt", "--out", tmp_path / "counted", "-q", "--json"]
