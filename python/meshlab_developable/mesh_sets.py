@@ -15,7 +15,13 @@ import pymeshlab
 
 from meshlab_developable import plugin
 from meshlab_developable.declared_counts import declared_faces
-from meshlab_developable.errors import FilterError, InvalidMeshError, LostFacesWarning
+from meshlab_developable.errors import (
+    DevelopableError,
+    FilterError,
+    InvalidMeshError,
+    InvalidParameterError,
+    LostFacesWarning,
+)
 from meshlab_developable.filters import Filter
 from meshlab_developable.names import printable
 from meshlab_developable.parameters import Length, per_cent
@@ -25,6 +31,8 @@ IndexArray: TypeAlias = npt.NDArray[np.int32]
 
 _POINT_FORMATS = (".e57", ".xyz")  # without faces, of those that pymeshlab writes
 _ROOM = 1 << 16  # bytes; more than a block of any disk
+
+_LEAST_LENGTH, _GREATEST_LENGTH = 1e-37, 1e38  # of those that parameters have, in single precision
 
 # A length given as a plain number; pymeshlab 2022.2 has it under the second name.
 _PlainLength = getattr(pymeshlab, "PureValue", None) or pymeshlab.AbsoluteValue
@@ -79,24 +87,33 @@ def open_mesh(source: Source, faces: npt.ArrayLike | None = None, verbose: bool 
 def apply_filter(meshes: Any, applied: Filter, values: Mapping[str, Any]) -> dict[str, Any]:
     """Apply a filter of the plugin to the current layer; the values are checked ones. Returns its numbers.
 
-    Raises FilterError in the filter's own words.
+    Raises FilterError in the filter's own words, and InvalidParameterError for lengths that pymeshlab would
+    take for nothing or for infinite.
     """
     plugin.load()
     converted = {
-        name: _length(value) if isinstance(applied.parameter(name).kind, Length) else value
+        name: _length(meshes, name, value) if isinstance(applied.parameter(name).kind, Length) else value
         for name, value in values.items()
     }
     try:
         result: dict[str, Any] = meshes.apply_filter(applied.function, **converted)
     except pymeshlab.PyMeshLabException as error:
         forget_failure()
-        raise FilterError(own_words(str(error))) from error
+        raise told(error, FilterError) from error
     return result
 
 
-def _length(value: float | str) -> Any:
+def _length(meshes: Any, name: str, value: float | str) -> Any:
     """As pymeshlab takes lengths: in the mesh's unit, or as a share of the diagonal of the mesh's box."""
-    return _Share(per_cent(value)) if isinstance(value, str) else _PlainLength(value)
+    share = per_cent(value) if isinstance(value, str) else None
+    diagonal = float(meshes.current_mesh().bounding_box().diagonal())
+    length = float(value) if share is None else share / 100 * diagonal
+    if length and not _LEAST_LENGTH <= abs(length) <= _GREATEST_LENGTH:
+        raise InvalidParameterError(
+            f"{name} is a length of {length:.3g}, and pymeshlab keeps lengths from {_LEAST_LENGTH:g} to "
+            f"{_GREATEST_LENGTH:g}: scale the mesh to an ordinary size"
+        )
+    return _PlainLength(length) if share is None else _Share(share)
 
 
 def save(meshes: Any, path: Path) -> None:
@@ -110,7 +127,7 @@ def save(meshes: Any, path: Path) -> None:
         meshes.save_current_mesh(_name(path))
     except pymeshlab.PyMeshLabException as error:
         forget_failure()
-        raise InvalidMeshError(own_words(str(error))) from None
+        raise told(error, InvalidMeshError) from None
 
 
 def missing_elements(meshes: Any, path: Path) -> str:
@@ -177,6 +194,12 @@ def forget_failure() -> None:
     pymeshlab.MeshSet().create_cube()
 
 
+def told(error: Exception, kind: type[DevelopableError]) -> Exception:
+    """What pymeshlab raised, in the raiser's own words; MemoryError where memory was short."""
+    text = own_words(str(error))
+    return MemoryError(text) if "bad_alloc" in text else kind(text)
+
+
 def own_words(text: str) -> str:
     """A message without pymeshlab's frame round it."""
     return text.split("Error details:", 1)[-1].split("Details:", 1)[-1].strip()
@@ -219,7 +242,7 @@ def _load(path: Path) -> pymeshlab.MeshSet | None:
         if "Unknown format" in str(error):
             return None
         forget_failure()
-        raise InvalidMeshError(own_words(str(error))) from None
+        raise told(error, InvalidMeshError) from None
     except MemoryError:
         raise MemoryError(f"{path} needs more memory than there is; is its header right?") from None
     except (ValueError, RuntimeError) as error:  # of the libraries below the readers
@@ -319,6 +342,12 @@ def _labels(face_labels: npt.ArrayLike, count: int) -> Array:
     labels = np.asarray(face_labels)
     if labels.shape != (count,):
         raise InvalidMeshError(f"face_labels must have one for each of the {count} faces, not {labels.shape}")
+    unknown = np.flatnonzero(labels != labels)  # NaN only is not itself, in arrays of objects as well
+    if len(unknown):
+        raise InvalidMeshError(
+            f"{len(unknown)} of the {count} face_labels are no numbers, the first that of face {unknown[0]}: "
+            "give each face a label"
+        )
     return np.unique(labels, return_inverse=True)[1].astype(np.float64)
 
 

@@ -8,6 +8,8 @@ import os
 import signal
 import sys
 
+OUT_OF_MEMORY = 77  # exit code of a process that leaves it to its parent to say so
+
 _PARENT_DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl
 
 

@@ -62,10 +62,17 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 	throw std::bad_alloc();
 }
 
+void* operator new(std::size_t size, const std::nothrow_t& /*unused*/) noexcept {
+	return std::malloc(size > 0 ? size : 1); // the sanitizers' own would not come to the one above
+}
+
 void operator delete(void* pointer) noexcept {
 	std::free(pointer);
 }
 void operator delete(void* pointer, std::size_t /*size*/) noexcept {
+	std::free(pointer);
+}
+void operator delete(void* pointer, const std::nothrow_t& /*unused*/) noexcept {
 	std::free(pointer);
 }
 void operator delete(void* pointer, std::align_val_t /*alignment*/) noexcept {

@@ -220,9 +220,8 @@ def count_flips(before: np.ndarray, after: np.ndarray, triangles: np.ndarray) ->
         # Neighbours that are turned alike run along their edge in opposite directions.
         sign = 1 if (a, b) in directed and (b, a) in directed else -1
         one, other = faces
-        flips += sign * start[one] @ start[other] > 1e-6 and sign * end[one] @ end[other] < np.cos(
-            2 * np.pi / 3
-        )
+        # Steps may end at 120 degrees to the last bit.
+        flips += sign * start[one] @ start[other] > 1e-6 and sign * end[one] @ end[other] < -0.5 - 1e-12
     return flips
 
 

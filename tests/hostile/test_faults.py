@@ -10,39 +10,14 @@ import os
 import re
 import shutil
 import subprocess
-import sys
-from pathlib import Path
 
-import hostile_meshes
 import pymeshlab
 import pytest
+from hostile_commands import COMMAND, run
 
-COMMAND = Path(sys.executable).with_name("developable")
 FORMATS = [".ply", ".obj", ".stl", ".off", ".wrl", ".dae", ".x3d", ".3ds", ".json", ".u3d"]
 ERRORS = {"write": "ENOSPC", "rename": "EACCES", "mkdir": "EROFS", "clone": "EAGAIN", "unlinkat,rmdir": "EIO"}
 MOST_FAULTS = 60
-
-
-@pytest.fixture(scope="module")
-def source(tmp_path_factory):
-    """A small mesh in a file, and a large one."""
-    folder = tmp_path_factory.mktemp("source")
-    for name, size in (("small", 5), ("large", 60)):
-        meshes = pymeshlab.MeshSet()
-        meshes.add_mesh(pymeshlab.Mesh(*hostile_meshes.bump(size, size)))
-        meshes.save_current_mesh(str(folder / f"{name}.ply"))
-    return folder
-
-
-def run(arguments, before=(), **options):
-    return subprocess.run(
-        [*before, COMMAND, *map(str, arguments)],
-        capture_output=True,
-        check=False,
-        text=True,
-        timeout=300,
-        **options,
-    )
 
 
 def with_fault(arguments, call, number, log, fault):

@@ -6,6 +6,7 @@ import hostile_calls
 import hostile_meshes
 import numpy as np
 import pytest
+from mesh_sets import Length
 
 SCALES = [1e-160, 1e-100, 1e-30, 1e-6, 1e6, 1e30, 1e80]
 TURN = np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))[0]
@@ -31,7 +32,8 @@ CHANGES = {
     "faces in another order": shuffled_faces,
 }
 # What of the numbers has to stay, and within what share of itself: the local method hangs on the last bits.
-# A saddle has several equally near developable shapes, and chance decides.
+# A saddle has several equally near developable shapes, and last bits decide: over 40 meshes that differ from
+# it by them alone the mean move is 7 % less to 12 % more than the saddle's own.
 TIES = {"saddle"}
 NUMBERS = {
     "newton": {"mean_displacement": 0.05, "total_absolute_curvature_before": 1e-6},
@@ -67,8 +69,8 @@ def assert_alike(one, other, variant, scale=1.0, tie=False):
         ), name
 
 
-def chosen(variants):
-    return [pytest.param(v, marks=() if v in CORE else pytest.mark.hostile) for v in variants]
+def chosen(variants, core=CORE):
+    return [pytest.param(v, marks=() if v in core else pytest.mark.hostile) for v in variants]
 
 
 def kinds(core):
@@ -112,6 +114,29 @@ def test_size_does_not_matter(kind, variant):
             assert np.isfinite(answer.quality).all()
             assert answer.pattern is None or np.isfinite(answer.pattern).all()
         assert_alike(before, answer, variant, scale, kind in TIES)
+
+
+# Hosts keep lengths in single precision; what digits were typed is guessed, and not the same at all sizes.
+WITHOUT_LENGTHS = {
+    name: (function, parameters)
+    for name, (function, parameters) in hostile_calls.VARIANTS.items()
+    if not any(isinstance(value, Length) for value in parameters.values())
+}
+
+
+@pytest.mark.parametrize("variant", chosen(WITHOUT_LENGTHS, CORE | {"cut"}))
+@pytest.mark.parametrize("kind", kinds({"saddle"}))
+def test_a_power_of_four_times_the_size_changes_no_bit(kind, variant):
+    """Digits are the same, and those of square roots of lengths: no constant has a length in it."""
+    positions, triangles = hostile_meshes.KINDS[kind]()
+    first = hostile_calls.answer_to((positions, triangles), variant)
+    for scale in (2.0**-300, 2.0**-80, 2.0**-6, 2.0**40, 2.0**80, 2.0**300):
+        answer = hostile_calls.answer_to((positions * scale, triangles), variant)
+        assert verdict(answer, variant) == verdict(first, variant), scale
+        assert np.array_equal(answer.positions, first.positions * scale), scale
+        assert np.array_equal(answer.triangles, first.triangles), scale
+        if answer.pattern is not None:
+            assert np.array_equal(answer.pattern, first.pattern * scale), scale
 
 
 @pytest.mark.parametrize(

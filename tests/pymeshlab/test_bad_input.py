@@ -175,6 +175,31 @@ def test_patches_by_a_face_quality_that_is_no_number(name):
     meshes.add_mesh(pymeshlab.Mesh(*bump(), f_scalar_array=quality))
     sentence = refusal(meshes, name, patches="Face quality")
     assert sentence.startswith("2 faces have a quality that is not a number: compute it anew")
+    assert sentence.endswith(f" See face {np.flatnonzero(np.isnan(quality))[0]}.")
+
+
+@ALL
+def test_patches_by_texture_coordinates_that_are_no_numbers(name, tmp_path):
+    positions, triangles = bump()
+    corners = np.zeros((len(triangles), 6))
+    corners[[4, 13, 13], [3, 0, 5]] = np.nan
+    faces = np.flatnonzero(np.isnan(corners).any(axis=1))
+    (tmp_path / "textured.ply").write_text(
+        f"ply\nformat ascii 1.0\nelement vertex {len(positions)}\n"
+        + "".join(f"property float {axis}\n" for axis in "xyz")
+        + f"element face {len(triangles)}\nproperty list uchar int vertex_indices\n"
+        + "property list uchar float texcoord\nend_header\n"
+        + "".join(f"{' '.join(map(str, row))}\n" for row in positions)
+        + "".join(
+            f"3 {' '.join(map(str, row))} 6 {' '.join(map(str, texture))}\n"
+            for row, texture in zip(triangles, corners, strict=True)
+        )
+    )
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(tmp_path / "textured.ply"))
+    sentence = refusal(meshes, name, patches="Texture islands")
+    assert sentence.startswith(f"{len(faces)} faces have texture coordinates that are not numbers: param")
+    assert sentence.endswith(f" See face {faces[0]}.")
 
 
 @pytest.mark.parametrize("title", ["Distance", "Displacement"])

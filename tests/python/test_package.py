@@ -150,6 +150,18 @@ def test_lengths_may_be_shares_of_the_diagonal(shell):
     assert by_share.report.max_displacement == pytest.approx(0.005 * diagonal, rel=1e-3)
 
 
+@pytest.mark.parametrize("length", ["1%", 1.0])
+@pytest.mark.parametrize("size", [1e-60, 1e60])
+def test_lengths_that_hosts_do_not_keep_are_refused(shell, length, size):
+    """They would be taken for nothing, or for infinite."""
+    vertices, faces = shell
+    given = length if isinstance(length, str) else length * size
+    with pytest.raises(
+        meshlab_developable.InvalidParameterError, match=r"max_displacement is a length of .*: scale the mesh"
+    ):
+        meshlab_developable.make_developable(vertices * size, faces, max_displacement=given)
+
+
 def test_developable_input_is_left_alone():
     positions, triangles, _ = reference.read_obj(ROOT / "meshes" / "sheet_bent.obj")
     result = meshlab_developable.make_developable(positions, triangles, method="local")
@@ -192,6 +204,8 @@ def test_bad_parameters_are_named(shell, arguments, words):
     [
         ([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], "n x 3"),
         ([["a", "b", "c"]], [[0, 0, 0]], "numbers"),
+        (np.zeros((0, 3)), np.zeros((0, 3), dtype=int), "0 vertices and 0 faces"),
+        (np.eye(3), np.zeros((0, 3), dtype=int), "3 vertices and 0 faces"),
         (np.eye(3), [[0, 1]], "m x 3"),
         (np.eye(3), [[0.0, 1.0, 2.0]], "whole numbers"),
         (np.eye(3), [[0, 1, 3], [0, 1, 2], [-1, 0, 1]], "2 faces"),
@@ -335,6 +349,7 @@ def test_maps_to_a_reference(shell):
         ({"only_selected": [True]}, ["only_selected", "961 faces"]),
         ({"fix_selected": np.zeros(524)}, ["fix_selected", "524 vertices", "float64"]),
         ({"face_labels": [1, 2]}, ["face_labels", "961"]),
+        ({"face_labels": [np.nan, 2.0] * 480 + [np.nan]}, ["481 of the 961 face_labels", "face 0"]),
         ({"texture_coordinates": np.zeros((3, 2))}, ["524 x 2", "961 x 3 x 2"]),
     ],
 )

@@ -23,10 +23,8 @@ from meshlab_developable.errors import DevelopableError, LostFacesWarning
 from meshlab_developable.file_methods import save_whole
 from meshlab_developable.methods import METHODS
 from meshlab_developable.panels import panel_reports
-from meshlab_developable.parent import die_with
+from meshlab_developable.parent import OUT_OF_MEMORY, die_with
 from meshlab_developable.writing import written_whole
-
-OUT_OF_MEMORY = 77  # exit code
 
 
 def main() -> None:

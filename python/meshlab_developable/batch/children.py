@@ -16,9 +16,9 @@ from typing import Any
 
 from distributed import Worker, WorkerPlugin
 
-from meshlab_developable.batch.child import OUT_OF_MEMORY
 from meshlab_developable.batch.records import Job, Row, State
 from meshlab_developable.batch.settings import Settings
+from meshlab_developable.parent import OUT_OF_MEMORY
 
 START_LIMIT = 300.0  # seconds until a child must be ready
 MESHES_A_CHILD = 500  # then it makes room for a fresh one, should a library not give back all it takes

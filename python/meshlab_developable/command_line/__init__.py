@@ -8,10 +8,13 @@ are imported when their command runs, so that help and completion need not wait 
 from __future__ import annotations
 
 import importlib
+import os
 import sys
 from typing import Any
 
 import click
+
+from meshlab_developable.parent import OUT_OF_MEMORY
 
 COMMANDS = {  # name: module beside this one
     "measure": "measure",
@@ -35,7 +38,8 @@ class Commands(click.Group):
 
     def __call__(self, *arguments: Any, **keywords: Any) -> Any:
         """The program."""
-        if not IN_OWN_PROCESSES.intersection(sys.argv[1:2]):
+        guarded = not IN_OWN_PROCESSES.intersection(sys.argv[1:2])
+        if guarded:
             from meshlab_developable.command_line.guard import continue_in_child
 
             continue_in_child()
@@ -45,6 +49,12 @@ class Commands(click.Group):
             from meshlab_developable.command_line import shared
 
             shared.end_with_sentence(f"what there is to say cannot be printed: {error.strerror or error}")
+        except MemoryError:
+            if guarded:
+                os._exit(OUT_OF_MEMORY)  # a sentence would need some, and so would leaving in order
+            from meshlab_developable.command_line import shared
+
+            shared.end_with_sentence(shared.TOO_LITTLE_MEMORY)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Their names."""

@@ -2,7 +2,7 @@
 """A command in a process of its own: a crash of the host becomes a sentence, and Ctrl-C works at once.
 
 Readers of the host end their process over an index of a vertex that is not there, and a signal that Python
-handles waits until a filter returns. The process is forked before anything large is imported.
+handles waits until a filter returns. Where memory is short, this process has some left to say so.
 """
 
 from __future__ import annotations
@@ -12,9 +12,10 @@ import os
 import signal
 import sys
 from types import FrameType
+from typing import NoReturn
 
 from meshlab_developable.command_line import shared
-from meshlab_developable.parent import die_with
+from meshlab_developable.parent import OUT_OF_MEMORY, die_with
 
 ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -45,13 +46,21 @@ def continue_in_child() -> None:
 
     for number in ENDING:
         signal.signal(number, forward)
-    code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    if code >= 0:
+    _end_as(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+
+
+def _end_as(code: int) -> NoReturn:
+    """As the process in which the command was did."""
+    as_json = "--json" in sys.argv
+    if code == OUT_OF_MEMORY:
+        shared.end_with_sentence(shared.TOO_LITTLE_MEMORY, as_json)
+    if code in (*shared.Exit, *(128 + number for number in ENDING)):
         sys.exit(code)
     if -code in ENDING:
         sys.exit(128 - code)
+    how = signal.Signals(-code).name if code < 0 else f"exit code {code}"
     shared.end_with_sentence(
-        f"MeshLab crashed ({signal.Signals(-code).name}). Most often a file is damaged, so that a face names "
+        f"MeshLab crashed ({how}). Most often a file is damaged, so that a face names "
         "a vertex that is not there, or there is too little memory; else please report it with the mesh",
-        "--json" in sys.argv,
+        as_json,
     )

@@ -32,6 +32,7 @@ class Exit(enum.IntEnum):
     INTERRUPTED = 128 + signal.SIGINT
 
 
+TOO_LITTLE_MEMORY = "there is not enough memory: end other programs, or simplify the mesh"
 MESH = click.Path(exists=True, dir_okay=False, path_type=Path)
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
 quiet_option = click.option("-q", "--quiet", is_flag=True, help="No progress bar.")
@@ -110,7 +111,9 @@ def errors_in_words(as_json: bool = False) -> Iterator[None]:
             place = f": {error.filename}" if error.filename else ""
             end_with_sentence(f"{error.strerror or error}{place}", as_json)
         except MemoryError as error:
-            end_with_sentence(str(error) or "there is not enough memory", as_json)
+            if not str(error) or "bad_alloc" in str(error):
+                raise  # to where no memory is needed
+            end_with_sentence(str(error), as_json)
 
 
 def end_with_sentence(sentence: str, as_json: bool = False) -> NoReturn:

@@ -69,6 +69,40 @@ TEST(Refusals, OfClosedPatchesArePlacedInOneOfThem) {
 	expectTrue(sentence, 2, mesh, [&](int t) { return t >= sheet.triangleCount(); });
 }
 
+/// Closed round after a number of half turns.
+TriangleMesh band(int halfTurns) {
+	constexpr int columns = 13;
+	TriangleMesh mesh = grid(columns, 3, [&](double u, double v) -> Eigen::Vector3d {
+		const double turn = 2 * pi * u, tilt = halfTurns * turn / 2, radius = 2 + (v - 0.5) * std::cos(tilt);
+		return {radius * std::cos(turn), radius * std::sin(turn), (v - 0.5) * std::sin(tilt)};
+	});
+	for (int& vertex : mesh.triangles.reshaped())
+		if (vertex % columns == columns - 1) {
+			const int row = vertex / columns;
+			vertex = (halfTurns % 2 == 1 ? 2 - row : row) * columns;
+		}
+	return makeMesh(mesh.positions, mesh.triangles);
+}
+
+TEST(Refusals, OfPatchesWithOneSideArePlacedInOneOfThem) {
+	const TriangleMesh twisted = band(2);
+	TriangleMesh one = band(1), three = band(3);
+	one.positions.row(0).array() += 7;
+	three.positions.row(1).array() -= 7;
+	TriangleMesh mesh = together(together(twisted, one), three);
+	const PatchAssembly assembly = assembled(mesh);
+	const std::string sentence = messageOf<NonOrientablePatch>([&] { requireOrientablePatches(assembly); });
+	expectTrue(sentence, 2, mesh, [&](int t) { return t >= twisted.triangleCount(); });
+	EXPECT_EQ(
+		messageOf<NonOrientablePatch>([&] { flattenPatches(assembly, assembly.originalPositions, {}); }),
+		sentence);
+	mesh.triangles.col(twisted.triangleCount() + 5).reverseInPlace(); // however its faces run
+	const PatchAssembly turned = assembled(mesh);
+	expectTrue(messageOf<NonOrientablePatch>([&] { requireOrientablePatches(turned); }), 2, mesh,
+			   [&](int t) { return t >= twisted.triangleCount(); });
+	EXPECT_NO_THROW(requireOrientablePatches(assembled(twisted)));
+}
+
 TEST(Refusals, OfHandlesArePlacedInOneOfThem) {
 	// A torus with a hole, beside a sheet.
 	const TriangleMesh torus = grid(9, 9, [](double u, double v) -> Eigen::Vector3d {

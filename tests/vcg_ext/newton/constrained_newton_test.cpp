@@ -48,6 +48,29 @@ TEST(ConstrainedNewton, ReachesADevelopableShapeWithThinTriangles) {
 	expectConverges(assembled(jitteredGrid(11, 241, bumpedCylinder, 0.2)), 0.04);
 }
 
+/// A saddle one vertex of which is so near to the middle of the edge opposite.
+TriangleMesh saddleWithAThinTriangle(double height) {
+	TriangleMesh mesh = jitteredGrid(9, 9, saddle);
+	Eigen::Vector3i thin = mesh.triangles.col(mesh.triangleCount() / 2);
+	auto vertex = mesh.positions.col(thin[0]);
+	vertex = height * vertex + (1 - height) / 2 * (mesh.positions.col(thin[1]) + mesh.positions.col(thin[2]));
+	return mesh;
+}
+
+TEST(ConstrainedNewton, EndsWithTheBestShapeWhereASystemHasNoSolution) {
+	// Triangles that are thin, but none so thin that it would be refused, and one that is.
+	for (const double height : {1e-9, 1e-10, 1e-11}) {
+		const PatchAssembly assembly = assembled(saddleWithAThinTriangle(height));
+		Positions positions = assembly.originalPositions;
+		const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, {});
+		EXPECT_EQ(report.status, Status::Stalled);
+		EXPECT_EQ(report.reason, Reason::Unsolvable);
+		EXPECT_LE(flatDefects(assembly, positions).squaredNorm(),
+				  flatDefects(assembly, assembly.originalPositions).squaredNorm());
+	}
+	EXPECT_THROW(assembled(saddleWithAThinTriangle(1e-13)), DegenerateTriangle);
+}
+
 TEST(ConstrainedNewton, KeepsSeamsClosedAndConvergesInEveryPatch) {
 	const TriangleMesh left = jitteredGrid(16, 16, saddle);
 	TriangleMesh right = left;

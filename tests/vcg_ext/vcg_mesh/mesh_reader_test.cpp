@@ -173,11 +173,17 @@ TYPED_TEST(MeshReader, CountsFacesWhoseLabelsAreNoNumbers) {
 	this->mesh.face[5].WT(0).U() = nan;
 	this->mesh.face[5].WT(2).V() = nan;
 	this->mesh.face[7].WT(1).V() = nan;
-	EXPECT_EQ(message(SeamKind::FaceQuality).rfind("1 face has a quality that is not a number", 0), 0u);
-	EXPECT_EQ(message(SeamKind::TextureIslands).rfind("2 faces have texture coordinates that are not", 0),
-			  0u);
+	const auto expectTrue = [](const std::string& sentence, const std::string& beginning, int firstFace) {
+		EXPECT_EQ(sentence.rfind(beginning, 0), 0u) << sentence;
+		EXPECT_EQ(sentence.substr(sentence.find(" See face ")),
+				  " See face " + std::to_string(firstFace) + ".");
+	};
+	expectTrue(message(SeamKind::FaceQuality), "1 face has a quality that is not a number", 2);
+	expectTrue(message(SeamKind::TextureIslands), "2 faces have texture coordinates that are not", 5);
 	EXPECT_EQ(message(SeamKind::ConnectedComponents), "");
-	for (const int face : {2, 5, 7})
+	vcg::tri::Allocator<TypeParam>::DeleteFace(this->mesh, this->mesh.face[5]);
+	expectTrue(message(SeamKind::TextureIslands), "1 face has texture coordinates that are not", 7);
+	for (const int face : {2, 7})
 		vcg::tri::Allocator<TypeParam>::DeleteFace(this->mesh, this->mesh.face[face]);
 	EXPECT_EQ(message(SeamKind::FaceQuality) + message(SeamKind::TextureIslands), "");
 }

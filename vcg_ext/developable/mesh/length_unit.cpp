@@ -17,7 +17,7 @@ int lengthExponent(const Positions& positions, const Eigen::Matrix3Xi& triangles
 	if (!(longest > 0) || std::isinf(longest))
 		return 0;
 	const int exponent = std::ilogb(longest) + 1;
-	return std::abs(exponent) <= ordinary ? 0 : exponent;
+	return std::abs(exponent) <= ordinary ? 0 : exponent + (exponent & 1);
 }
 
 } // namespace developable

@@ -3,7 +3,8 @@
 //
 // A mesh of 1e-160 or of 1e80 is worked on as if a unit of its size had been chosen: readTriangles multiplies
 // coordinates by a power of two, which changes no bit of their digits, and what is written or reported is
-// multiplied back. Meshes of ordinary size have the exponent 0.
+// multiplied back. Meshes of ordinary size have the exponent 0; others an even one, so that square roots of
+// lengths have the same digits, too.
 #pragma once
 
 #include "triangle_mesh.h"
@@ -15,7 +16,8 @@
 namespace developable {
 
 /// The exponent k for which coordinates times 2^-k are best worked with: that of the longest side of the box
-/// round the vertices of triangles; 0 where that side is between 2^-64 and 2^64, zero or infinite.
+/// round the vertices of triangles, or one more, so that it is even; 0 where that side is between 2^-64 and
+/// 2^64, zero or infinite.
 int lengthExponent(const Positions& positions, const Eigen::Matrix3Xi& triangles);
 
 /// A quantity in the mesh's own unit.

@@ -21,7 +21,10 @@ public:
 		Eigen::Vector3d mean = Eigen::Vector3d::Zero();
 		for (const int t : triangles)
 			mean += surface.areas()[t] * surface.normals().col(t);
-		proxies_ = {mean};
+		double area = 0; // without it the mean of a large surface would have no digits left for the normals
+		for (const int t : triangles)
+			area += surface.areas()[t];
+		proxies_ = {mean / area};
 		seeds_ = {leastDistorted(0, triangles_)};
 		grow();
 	}

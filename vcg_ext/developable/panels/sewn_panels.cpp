@@ -67,7 +67,7 @@ void measurePanels(const PatchAssembly& assembly, const Positions& positions, co
 		report.meanDisplacement += moves[place];
 		report.maxDisplacement = std::max(report.maxDisplacement, moves[place]);
 		++copies[panel];
-		const double far = moves[place] > limits[panel] ? 1e3 * moves[place] : 0;
+		const double far = moves[place] > limits[panel] ? 1e3 * moves[place] / result.maxDisplacement : 0;
 		if (std::abs(after[copy]) + far > worst[panel]) {
 			worst[panel] = std::abs(after[copy]) + far;
 			report.worstPoint = assembly.originalPositions.col(place);
