@@ -134,5 +134,35 @@ TEST(LargestDisplacement, HoldsForStartsThatAreElsewhere) {
 	EXPECT_THROW(constrainedNewton(assembly, positions, options), InvalidParameter);
 }
 
+TEST(LargestDisplacement, IsPreferablyBelowAnotherBoundWhereThatIsEasy) {
+	int lowered = 0;
+	for (const Surface& surface :
+		 {Surface(saddle), Surface(wave), Surface(steepBump), Surface(vamp), sphereCap(1)}) {
+		const PatchAssembly assembly = assembled(jitteredGrid(14, 14, surface));
+		ConstrainedNewtonOptions options;
+		options.tuning.preferredMove = 0;
+		Positions free = assembly.originalPositions, chosen = free;
+		if (constrainedNewton(assembly, free, options).status != Status::Converged)
+			continue;
+		const double diagonal = boxDiagonal(assembly.originalPositions);
+		options.tuning.preferredMove = 0.98 * farthest(assembly, free) / diagonal;
+		EXPECT_EQ(constrainedNewton(assembly, chosen, options).status, Status::Converged);
+		expectSound(assembly, chosen);
+		EXPECT_LE(farthest(assembly, chosen), farthest(assembly, free));
+		if (farthest(assembly, chosen) > options.tuning.preferredMove * diagonal) {
+			EXPECT_EQ(chosen, free); // where it leads nowhere the shape is as it was
+			continue;
+		}
+		++lowered;
+		EXPECT_LT(meanDisplacement(assembly, chosen), 1.05 * meanDisplacement(assembly, free));
+
+		options.tuning.preferredReach = 1.01; // and as it was where it would be too far
+		chosen = assembly.originalPositions;
+		constrainedNewton(assembly, chosen, options);
+		EXPECT_EQ(chosen, free);
+	}
+	EXPECT_GE(lowered, 1);
+}
+
 } // namespace
 } // namespace developable::test

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Joins that are taken back leave what was there before, and what stays apart is known.
 #include "developable/panels/join_history.h"
-#include "developable/panels/seam_chains.h"
-#include "support/shapes.h"
+
+#include "panel_shapes.h"
 
 #include <gtest/gtest.h>
-
-#include <set>
 
 namespace developable::test {
 namespace {
@@ -18,23 +16,7 @@ using detail::seamChains;
 /// A sheet in three panels side by side.
 CutSurface threeStrips() {
 	const TriangleMesh mesh = grid(10, 4, flatSheet);
-	CutSurface surface(assembled(mesh));
-	std::vector<int> labels;
-	for (int t = 0; t < mesh.triangleCount(); ++t) {
-		const auto corners = mesh.positions(0, mesh.triangles.col(t));
-		const double width = mesh.positions.row(0).maxCoeff();
-		labels.push_back(std::min(2, int(3 * corners.mean() / width)));
-	}
-	surface.relabel(labels);
-	return surface;
-}
-
-std::set<std::vector<int>> panelsOf(const CutSurface& surface) {
-	std::set<std::vector<int>> panels;
-	for (int panel = 0; panel < surface.panelCount(); ++panel)
-		if (!surface.trianglesOf(panel).empty())
-			panels.insert(surface.trianglesOf(panel));
-	return panels;
+	return withPanels(mesh, strips(mesh, 3));
 }
 
 TEST(JoinHistory, takesBackTheLastJoinOfAPanelOnly) {

@@ -45,9 +45,13 @@ Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& step
 	if (found.farthest <= preferred || found.farthest > problem.tuning().preferredReach * preferred)
 		return Ending::Reached;
 	const Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
-	if (ending != Ending::Reached && ending != Ending::Stopped)
+	const auto meanMove = [&](const Shape& shape) { return problem.displacement(shape).colwise().norm().mean(); };
+	if (ending == Ending::Stopped)
+		return ending;
+	if (ending != Ending::Reached ||
+		meanMove(run.shape()) > problem.tuning().preferredPrice * meanMove(found))
 		run.goBackTo(found);
-	return ending == Ending::Stopped ? ending : Ending::Reached;
+	return Ending::Reached;
 }
 
 /// A developable shape that is farther away than places may go is none that was looked for, but there may be

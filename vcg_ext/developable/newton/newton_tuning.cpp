@@ -88,6 +88,7 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"returnProgress", &NewtonTuning::returnProgress},
 		{"returnReach", &NewtonTuning::returnReach},
 		{"preferredMove", &NewtonTuning::preferredMove},
+		{"preferredPrice", &NewtonTuning::preferredPrice},
 		{"preferredReach", &NewtonTuning::preferredReach},
 		{"leastSquares", &NewtonTuning::leastSquares},
 		{"workPerPlace", &NewtonTuning::workPerPlace},

@@ -90,7 +90,8 @@ struct NewtonTuning {
 	double returnProgress = 0.97; ///< share of the nearest so far that a round may leave
 	double returnReach = 3;       ///< of the bound: shapes farther away are given up
 	double preferredMove = 0.02;  ///< share of the diagonal: less far is a bound that is kept if that is easy
-	double preferredReach = 1.4;  ///< of it: shapes farther away are taken as they are
+	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
+	double preferredReach = 1.3;  ///< of it: shapes farther away are taken as they are
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
 
 	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very

@@ -16,6 +16,16 @@ JoinHistory::Pair JoinHistory::pairAt(const CutSurface& surface, int halfEdge) {
 	return {std::min(a, b), std::max(a, b)};
 }
 
+std::vector<int> JoinHistory::unionAt(const CutSurface& surface, int halfEdge) {
+	const int first = surface.panelOf(triangleOf(halfEdge));
+	const int second = surface.panelOf(triangleOf(surface.assembly().across(halfEdge)));
+	std::vector<int> whole;
+	std::set_union(surface.trianglesOf(first).begin(), surface.trianglesOf(first).end(),
+				   surface.trianglesOf(second).begin(), surface.trianglesOf(second).end(),
+				   std::back_inserter(whole));
+	return whole;
+}
+
 void JoinHistory::join(CutSurface& surface, const std::vector<int>& halfEdges) {
 	const int first = surface.panelOf(triangleOf(halfEdges.front()));
 	const int second = surface.panelOf(triangleOf(surface.assembly().across(halfEdges.front())));
@@ -36,10 +46,7 @@ bool JoinHistory::takeBack(CutSurface& surface, int panel) {
 	for (const int triangle : whole)
 		labels.push_back(std::binary_search(half.begin(), half.end(), triangle));
 	surface.divide(panel, labels);
-	const auto other = std::find(labels.begin(), labels.end(), 0) - labels.begin();
-	const int a = numberOf(surface, surface.panelOf(half.front()));
-	const int b = numberOf(surface, surface.panelOf(whole[std::size_t(other)]));
-	takenBack_.insert({std::min(a, b), std::max(a, b)});
+	takenBack_.insert(whole);
 	return true;
 }
 
@@ -50,8 +57,8 @@ void JoinHistory::refuse(const CutSurface& surface, const std::vector<int>& half
 
 bool JoinHistory::wasRefused(const CutSurface& surface, const std::vector<int>& halfEdges) {
 	const Pair pair = pairAt(surface, halfEdges.front());
-	return takenBack_.count(pair) > 0 ||
-		   refused_.count({pair, *std::min_element(halfEdges.begin(), halfEdges.end())}) > 0;
+	return refused_.count({pair, *std::min_element(halfEdges.begin(), halfEdges.end())}) > 0 ||
+		   (!takenBack_.empty() && takenBack_.count(unionAt(surface, halfEdges.front())) > 0);
 }
 
 } // namespace developable::detail

@@ -17,7 +17,7 @@ public:
 	/// Joins across some half edges, and remembers the halves.
 	void join(CutSurface& surface, const std::vector<int>& halfEdges);
 
-	/// Divides a panel into what it was joined of last; these two will not be joined again.
+	/// Divides a panel into what it was joined of last; no two panels will be joined to that panel again.
 	/// \return whether it was joined at all
 	bool takeBack(CutSurface& surface, int panel);
 
@@ -33,12 +33,13 @@ private:
 
 	/// A number for each set of triangles that ever was a panel.
 	int numberOf(const CutSurface& surface, int panel);
+	static std::vector<int> unionAt(const CutSurface& surface, int halfEdge);
 	Pair pairAt(const CutSurface& surface, int halfEdge);
 
 	std::map<std::vector<int>, int> numbers_; ///< by triangles, ascending
 	std::map<int, std::vector<int>> halves_;  ///< the triangles of one half, by the whole's number
-	std::set<Pair> takenBack_;
-	std::set<std::pair<Pair, int>> refused_; ///< with the least half edge between them
+	std::set<std::vector<int>> takenBack_;    ///< the triangles of whole panels
+	std::set<std::pair<Pair, int>> refused_;  ///< with the least half edge between them
 };
 
 } // namespace developable::detail

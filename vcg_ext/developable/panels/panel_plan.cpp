@@ -216,42 +216,68 @@ void PanelPlan::joinUntilAllHold() {
 		if (worst < 0 || round == rounds || tests_->stopped())
 			return;
 		PlannedSurface divided = joined;
-		if (!history_.takeBack(divided.surface, panelBefore(joined, worst)))
+		if (!takeBackLastJoin(divided.surface, panelBefore(joined, worst)))
 			return;
 		planned_ = std::move(divided);
 		dartTips_ = dartTips;
 	}
 }
 
-bool PanelPlan::addDart(int panel, const Eigen::Vector3d& at, double length) {
-	const Dart dart = cutDart(planned_.surface, panel, at, length);
-	if (dart.length > 0)
-		dartTips_.push_back(dart.tip);
-	return dart.length > 0;
+/// The last that had two halves of a size to be seen. \return whether there was any
+bool PanelPlan::takeBackLastJoin(CutSurface& surface, int panel) {
+	constexpr double tooSmall = 0.01; // of the patch: the drawing of seams may lose it
+	const int patch = surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()];
+	const double least = tooSmall * surface.patchArea(patch);
+	while (true) {
+		const double whole = surface.area(panel);
+		const std::vector<int> triangles = surface.trianglesOf(panel);
+		if (!history_.takeBack(surface, panel))
+			return false;
+		for (const int t : triangles)
+			if (surface.area(surface.panelOf(t)) > surface.area(panel))
+				panel = surface.panelOf(t);
+		if (whole - surface.area(panel) >= least)
+			return true;
+	}
 }
 
-/// Panels that just fail to hold get darts where they do, as long as these bring them nearer to it.
+/// Panels that just fail to hold get darts where they do. A dart that makes it worse is taken out again, and
+/// a longer one is tried.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
-	constexpr int rounds = 6;
-	constexpr double firstLength = 3; // mean edge lengths
-	double length = firstLength * meanEdgeLength(planned_.surface.assembly());
+	constexpr int rounds = 8;
+	constexpr double firstLength = 0.15, increase = 1.6; // in roots of the area
+	double length = firstLength;
 	if (!options_.darts || !options_.splitTriangles)
 		return sewn;
 	for (int round = 0; round < rounds && !tests_->stopped() && worstOf(sewn) >= 0; ++round) {
-		bool any = false;
-		for (int panel = 0; panel < planned_.surface.panelCount(); ++panel)
-			if (wantsDart(sewn.panels[panel]))
-				any = addDart(panel, sewn.panels[panel].worstPoint, length) || any;
-		if (!any)
+		const CutSurface before = planned_.surface;
+		const std::vector<Eigen::Vector3d> tips = addDarts(sewn, length);
+		if (tips.empty())
 			break;
 		SewnPanels next = sewTogether(true);
-		if (tests_->stopped())
-			break;
-		if (totalExcess(next) > totalExcess(sewn))
-			length *= 2;
-		sewn = std::move(next);
+		if (!tests_->stopped() && totalExcess(next) < totalExcess(sewn)) {
+			dartTips_.insert(dartTips_.end(), tips.begin(), tips.end());
+			sewn = std::move(next);
+			length = firstLength;
+		} else {
+			planned_.surface = before;
+			length *= increase;
+		}
 	}
 	return sewn;
+}
+
+/// One in each panel that may hold with it. \return their tips
+std::vector<Eigen::Vector3d> PanelPlan::addDarts(const SewnPanels& sewn, double length) {
+	std::vector<Eigen::Vector3d> tips;
+	for (int panel = 0; panel < planned_.surface.panelCount(); ++panel) {
+		if (!wantsDart(sewn.panels[panel]))
+			continue;
+		const Dart dart = cutDart(planned_.surface, panel, sewn.panels[panel].worstPoint, length);
+		if (dart.length > 0)
+			tips.push_back(dart.tip);
+	}
+	return tips;
 }
 
 /// The panel of a surface that was there before faces were split which has most of a panel that is there now.

@@ -32,8 +32,9 @@ private:
 	SewnExcess sewnExcess();
 	SewnPanels divideUntilAllHold();
 	void joinUntilAllHold();
+	bool takeBackLastJoin(CutSurface& surface, int panel);
 	int panelBefore(const PlannedSurface& before, int panel) const;
-	bool addDart(int panel, const Eigen::Vector3d& at, double length);
+	std::vector<Eigen::Vector3d> addDarts(const SewnPanels& sewn, double length);
 	SewnPanels relieved(SewnPanels sewn);
 	SewnPanels smoothSeams();
 	Progress progressOfRest();

@@ -3,6 +3,7 @@
 #include "relief_darts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 
@@ -10,6 +11,7 @@ namespace developable::detail {
 
 namespace {
 
+constexpr double leastEdges = 2.5; ///< of a dart
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The copies of a panel with the half edges between them that are not cut.
@@ -105,20 +107,28 @@ int nearestCopy(const CutSurface& surface, const PanelGraph& graph, const Eigen:
 	return nearest;
 }
 
-/// The copy that is deepest inside, of those that a path of some length reaches; -1: none.
+/// The copy that is deepest inside, of those that a path of some length reaches, and of equals the nearest;
+/// -1: none.
 int deepestWithin(const PanelGraph& graph, const PanelGraph::Paths& paths, const PanelGraph::Paths& depths,
 				  double length) {
 	int deepest = -1;
+	const auto isDeeper = [&](int a, int b) {
+		const double difference = depths.length[a] - depths.length[b];
+		const bool equal = std::abs(difference) < 1e-6 * depths.length[b];
+		return equal ? paths.length[a] < paths.length[b] : difference > 0;
+	};
 	for (int copy = 0; copy < static_cast<int>(paths.length.size()); ++copy)
 		if (graph.has(copy) && !graph.onBorder(copy) && paths.length[copy] <= length &&
-			(deepest < 0 || depths.length[copy] > depths.length[deepest]))
+			(deepest < 0 || isDeeper(copy, deepest)))
 			deepest = copy;
 	return deepest;
 }
 
 } // namespace
 
-Dart cutDart(CutSurface& surface, int panel, const Eigen::Vector3d& at, double length) {
+Dart cutDart(CutSurface& surface, int panel, const Eigen::Vector3d& at, double share) {
+	const double length =
+		std::max(share * std::sqrt(surface.area(panel)), leastEdges * meanEdgeLength(surface.assembly()));
 	const PanelGraph graph(surface, panel);
 	const int point = nearestCopy(surface, graph, at);
 	if (point < 0)

@@ -10,11 +10,11 @@ namespace developable::detail {
 
 namespace {
 
-constexpr int batchSize = 4;           ///< of unions in whose darts are tried together
-constexpr int mostDarts = 6;           ///< in a union
-constexpr double worthwhile = 0.7;     ///< of the seam that goes: darts of more length are no gain
-constexpr double firstLength = 3;      ///< of a dart, in mean edge lengths
-constexpr double lengthIncrease = 1.5; ///< from a dart to the next
+constexpr int batchSize = 4;            ///< of unions in whose darts are tried together
+constexpr int mostDarts = 6;            ///< in a union
+constexpr double worthwhile = 0.7;      ///< of the seam that goes: darts of more length are no gain
+constexpr double firstLength = 0.15;    ///< of a dart, in roots of the area
+constexpr double lengthIncrease = 1.25; ///< from a dart to the next
 
 /// Two panels as one, with darts.
 struct Union {
@@ -32,8 +32,7 @@ class RelievedJoining {
 public:
 	RelievedJoining(CutSurface& surface, PanelTests& tests, JoinHistory& history,
 					std::vector<Eigen::Vector3d>& tips)
-		: surface_(surface), tests_(tests), history_(history), tips_(tips),
-		  edge_(meanEdgeLength(surface.assembly())) {}
+		: surface_(surface), tests_(tests), history_(history), tips_(tips) {}
 
 	void run() {
 		while (!tests_.stopped()) {
@@ -74,7 +73,7 @@ private:
 		std::vector<Union*> open;
 		for (Union& joined : unions)
 			open.push_back(&joined);
-		double length = firstLength * edge_;
+		double length = firstLength;
 		for (int darts = 0; !open.empty() && !tests_.stopped(); ++darts, length *= lengthIncrease) {
 			test(open);
 			open.erase(std::remove_if(open.begin(), open.end(),
@@ -120,7 +119,6 @@ private:
 	PanelTests& tests_;
 	JoinHistory& history_;
 	std::vector<Eigen::Vector3d>& tips_;
-	const double edge_;
 	std::set<std::array<int, 3>> tried_;
 };
 

@@ -55,16 +55,17 @@ void SeamDrawing::smoothen() {
 
 bool SeamDrawing::tightenAt(const std::vector<Eigen::Vector3d>& points) {
 	bool any = false;
-	for (int t = 0; t < static_cast<int>(tightness_.size()); ++t) {
-		const Eigen::Vector3d middle = planned_.surface.middleOf(3 * t);
-		for (const Eigen::Vector3d& point : points) {
-			const double distance = (point - middle).norm() / radius_;
-			const int least = distance < 1 ? safest : distance < transition ? safest - 1 : 0;
-			any = any || least > tightness_[t];
-			tightness_[t] = std::max(tightness_[t], least);
+	for (const double diagonal = boxDiagonal(planned_.surface.positions()); !any && radius_ < diagonal;
+		 radius_ *= growth)
+		for (int t = 0; t < static_cast<int>(tightness_.size()); ++t) {
+			const Eigen::Vector3d middle = planned_.surface.middleOf(3 * t);
+			for (const Eigen::Vector3d& point : points) {
+				const double distance = (point - middle).norm() / radius_;
+				const int least = distance < 1 ? safest : distance < transition ? safest - 1 : 0;
+				any = any || least > tightness_[t];
+				tightness_[t] = std::max(tightness_[t], least);
+			}
 		}
-	}
-	radius_ *= growth;
 	return any;
 }
 

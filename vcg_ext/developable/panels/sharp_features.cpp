@@ -2,6 +2,7 @@
 // sharp_features.cpp: every edge and point beside those next to it.
 #include "sharp_features.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace developable::detail {
@@ -30,6 +31,7 @@ double turnBeside(const CutSurface& surface, int halfEdge) {
 	return greatest;
 }
 
+constexpr double nearlyAsSharp = 0.7;    ///< share of the sharpest edge at a point: less is beside a line
 constexpr double zigzag = 45 * pi / 180; ///< a line of creases that turns by more there is a jagged one
 
 /// Per half edge, whether it goes on at one of its ends in one other of some edges, and turns sharply there.
@@ -43,7 +45,13 @@ std::vector<char> onJaggedLines(const CutSurface& surface, const std::vector<cha
 		}
 	std::vector<char> jagged(isSharp.size(), 0);
 	for (int copy = 0; copy < static_cast<int>(at.size()); ++copy) {
-		if (at[copy].size() != 2)
+		double sharpest = 0;
+		for (const int h : at[copy])
+			sharpest = std::max(sharpest, turnAt(surface, h));
+		at[copy].erase(std::remove_if(at[copy].begin(), at[copy].end(),
+									  [&](int h) { return turnAt(surface, h) < nearlyAsSharp * sharpest; }),
+					   at[copy].end());
+		if (at[copy].size() != 2) // ends, and where several meet
 			continue;
 		const auto outward = [&](int h) -> Eigen::Vector3d {
 			return (surface.startOf(h) == copy ? 1 : -1) * surface.vectorOf(h).normalized();
