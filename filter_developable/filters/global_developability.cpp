@@ -56,7 +56,7 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.angleTolerance = values.number("angle_tolerance");
 	options.curvatureTolerance = values.number("curvature_tolerance");
 	options.maxIterations = values.integer("max_iterations");
-	options.smoothness = values.number("smoothness");
+	options.smoothness = chosenSmoothness(values);
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
 	options.threads = threadsAskedFor();
@@ -70,7 +70,7 @@ OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAs
 	options.bounds = strainBounds(values);
 	options.grain = values.choice<Grain>("grain");
 	options.maxIterations = values.integer("max_iterations");
-	options.smoothness = values.number("smoothness");
+	options.smoothness = chosenSmoothness(values);
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
 	options.threads = threadsAskedFor();

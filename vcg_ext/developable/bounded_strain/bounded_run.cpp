@@ -24,22 +24,39 @@ bool hopeless(const std::vector<double>& violations) {
 		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
 }
 
+/// Of every patch, where bounds differ with the direction.
+HeldGrain heldGrain(const PatchAssembly& assembly, const FlatPatterns& patterns,
+					const StrainedTriangles& triangles, const Positions& start,
+					const BoundedStrainOptions& options) {
+	if (!options.bounds.directed)
+		return {};
+	std::vector<HeldGrain::Piece> pieces;
+	for (int piece = 0; piece < assembly.patchCount(); ++piece)
+		pieces.push_back({trianglesOfPiece(triangles, assembly, piece), patterns.pieces[piece].longestSide});
+	return HeldGrain(std::move(pieces), options.grain, start, patterns.positions);
+}
+
 } // namespace
 
 BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
 					   const BoundedStrainOptions& options, double farthest, double firstStiffness,
 					   const Progress& progress)
-	: assembly_(assembly), patterns_(patterns), options_(options), progress_(progress),
-	  firstStiffness_(firstStiffness), nearness_(nearness(assembly, options.smoothness, options.fairness)),
-	  bound_(assembly, farthest),
+	: assembly_(assembly), options_(options), progress_(progress), firstStiffness_(firstStiffness),
+	  nearness_(nearness(assembly, options.smoothness, options.fairness)), bound_(assembly, farthest),
 	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
-	  steps_(assembly, nearness_, bound_, penalty_), unknowns_{start, patterns.positions} {
+	  grain_(heldGrain(assembly, patterns, penalty_.triangles(), start, options)),
+	  steps_(assembly, nearness_, bound_, penalty_, grain_), unknowns_{start, patterns.positions} {
 	penalty_.watchBorder(patterns.positions);
+	if (!options.bounds.directed)
+		return;
+	std::vector<double> ofTriangles;
+	for (const int patch : assembly.patchOfTriangle)
+		ofTriangles.push_back(grain_.angles()[std::size_t(patch)]);
+	penalty_.setGrain(std::move(ofTriangles));
 }
 
 BoundedEnding BoundedRun::run() {
 	Hardening hardening(penalty_, firstStiffness_);
-	takeGrain();
 	const double startViolation = violation();
 	double distance = 0;
 	std::vector<double> violations; // before each hardening
@@ -49,7 +66,6 @@ BoundedEnding BoundedRun::run() {
 		if (!mayGoOn(startViolation))
 			return BoundedEnding::Stopped;
 		++iterations_;
-		takeGrain();
 		const double decrease = steps_.step(unknowns_);
 		if (!steps_.solvable())
 			return BoundedEnding::Stuck;
@@ -74,12 +90,6 @@ BoundedEnding BoundedRun::run() {
 
 double BoundedRun::violation() const {
 	return penalty_.greatestViolation(unknowns_.shape, unknowns_.pattern);
-}
-
-void BoundedRun::takeGrain() {
-	if (options_.bounds.directed)
-		penalty_.setGrain(
-			grainOfTriangles(assembly_, unknowns_.shape, patterns_, penalty_.triangles(), unknowns_.pattern));
 }
 
 bool BoundedRun::mayGoOn(double startViolation) const {

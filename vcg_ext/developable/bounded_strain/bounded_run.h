@@ -25,17 +25,16 @@ public:
 
 private:
 	double violation() const;
-	void takeGrain();
 	bool mayGoOn(double startViolation) const;
 
 	const PatchAssembly& assembly_;
-	const FlatPatterns& patterns_;
 	const BoundedStrainOptions& options_;
 	const Progress& progress_;
 	const double firstStiffness_;
 	const Nearness nearness_;
 	const DisplacementBound bound_;
 	StrainPenalty penalty_;
+	HeldGrain grain_;
 	ShapeAndPatternSteps steps_;
 	ShapeAndPattern unknowns_;
 	int iterations_ = 0;

@@ -4,6 +4,7 @@
 
 #include "displacement_bound.h"
 
+#include "developable/flatten/flatten.h"
 #include "developable/linear/linear.h"
 #include "developable/material/material.h"
 #include "developable/newton/constrained_newton.h"
@@ -21,8 +22,10 @@ struct ShapeAndPattern {
 /// turns far for small strains, where linear steps go wrong; so after each trial step it settles by itself.
 class ShapeAndPatternSteps {
 public:
+	/// \param grain  against which no piece turns
 	ShapeAndPatternSteps(const PatchAssembly& assembly, const Nearness& nearness,
-						 const DisplacementBound& bound, const StrainPenalty& penalty);
+						 const DisplacementBound& bound, const StrainPenalty& penalty,
+						 const HeldGrain& grain);
 
 	/// \return the decrease of φ that the quadratic model promised, as a share; 0 where no step was any good
 	double step(ShapeAndPattern& unknowns);
@@ -54,6 +57,7 @@ private:
 	const Nearness& nearness_;
 	const DisplacementBound& bound_;
 	const StrainPenalty& penalty_;
+	const HeldGrain& grain_;
 	const TriangleOrder order_;
 	const double area_;
 	SparseCholesky whole_, pattern_;

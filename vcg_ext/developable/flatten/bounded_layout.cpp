@@ -2,6 +2,7 @@
 // bounded_layout.cpp: Newton steps on springs in the plane, with bounds that harden.
 #include "bounded_layout.h"
 
+#include "held_grain.h"
 #include "plane_springs.h"
 
 #include "developable/descent/descent.h"
@@ -26,11 +27,13 @@ class BoundedLayout {
 public:
 	BoundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
 				  Grain grain, const std::array<int, 2>& longestSide)
-		: panel_(panel), grain_(grain), longestSide_(longestSide), springs_(panel),
-		  penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
+		: panel_(panel), springs_(panel), penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
 		  hessian_(springs_.hessianPattern()), positions_(start) {
 		penalty_.watchBorder(start);
-		takeGrain();
+		if (!bounds.directed)
+			return;
+		grain_ = HeldGrain({{penalty_.triangles(), longestSide}}, grain, panel.positions, start);
+		penalty_.setGrain(std::vector<double>(panel.triangleCount(), grain_.angles().front()));
 	}
 
 	PlanePositions solve() {
@@ -39,7 +42,6 @@ public:
 		Hardening hardening(penalty_);
 		int idle = 0, steps = 0; // no good in all, and with the same stiffness
 		for (int i = 0; i < mostSteps; ++i) {
-			takeGrain();
 			const double decrease = step();
 			if (decrease < settled && violation() <= shareOfTolerance * patternTolerance)
 				break;
@@ -64,12 +66,6 @@ private:
 	static constexpr double least = 1e-9;   // nor anywhere
 	static constexpr double shareOfTolerance = 0.3;
 
-	void takeGrain() {
-		const double angle =
-			grainDirection(penalty_.triangles(), panel_.positions, positions_, grain_, longestSide_);
-		penalty_.setGrain(std::vector<double>(panel_.triangleCount(), angle));
-	}
-
 	double violation() const { return penalty_.greatestViolation(panel_.positions, positions_); }
 
 	double energy(const PlanePositions& x) const {
@@ -86,12 +82,16 @@ private:
 		addBorder(gradient);
 		const Eigen::VectorXd downward = -gradient.reshaped();
 		const Eigen::VectorXd direction =
-			factorization_.factorize(hessian_.matrix()) ? factorization_.solve(downward) : downward;
+			factorization_.factorize(hessian_.matrix())
+				? heldDirection([&](const Eigen::VectorXd& v) { return factorization_.solve(v); }, -downward,
+								grain_.slopes(panel_.positions, positions_, false))
+				: downward;
 		const PlanePositions move = direction.reshaped(2, positions_.cols());
 		const double slope = -downward.dot(direction), before = energy(positions_);
 		double length = std::min(1.0, 0.9 * springs_.longestStep(positions_, move));
 		for (int trial = 0; trial < 30; ++trial, length /= 2) {
-			const PlanePositions next = positions_ + length * move;
+			PlanePositions next = positions_ + length * move;
+			grain_.align(panel_.positions, next);
 			if (!descendsEnough(before, slope, length, energy(next)))
 				continue;
 			positions_ = next;
@@ -125,10 +125,9 @@ private:
 	}
 
 	const PanelMesh& panel_;
-	const Grain grain_;
-	const std::array<int, 2> longestSide_;
 	PlaneSprings springs_;
 	StrainPenalty penalty_;
+	HeldGrain grain_;
 	const double scale_;
 	PlaneHessian hessian_;
 	SparseCholesky factorization_; // CG on an old factor would not do while bounds harden

@@ -8,6 +8,7 @@
 
 #include "flat_patterns.h"
 #include "grain_directions.h"
+#include "held_grain.h"
 #include "pattern_measures.h"
 #include "seams.h"
 
