@@ -124,8 +124,9 @@ Material chosenMaterial(const ParameterValues& values) {
 }
 
 double chosenSmoothness(const ParameterValues& values) {
-	const double asked = values.number("smoothness"), ofFilter = ConstrainedNewtonOptions().smoothness;
-	const double suiting = chosenMaterial(values).smoothness;
+	const double ofFilter = ConstrainedNewtonOptions().smoothness,
+				 suiting = chosenMaterial(values).smoothness;
+	const double asked = values.has("smoothness") ? values.number("smoothness") : ofFilter;
 	// Hosts may have rounded the default to float.
 	return suiting > 0 && std::abs(asked - ofFilter) < 1e-6 * ofFilter ? suiting : asked;
 }

@@ -40,7 +40,8 @@ Material chosenMaterial(const ParameterValues& values);
 /// \throws InvalidParameter
 StrainBounds strainBounds(const ParameterValues& values);
 
-/// The parameter `smoothness`, or what suits the material where that is at its default.
+/// The parameter `smoothness`, or what suits the material where that is at its default or the filter has
+/// none.
 double chosenSmoothness(const ParameterValues& values);
 
 } // namespace developable::plugin

@@ -138,7 +138,7 @@ std::vector<Parameter> parameters() {
 				floatParameter(
 					"smoothness", ConstrainedNewtonOptions().smoothness, {0, true, 1}, "", "Smoothness",
 					"how much weight bending has against distance; larger values give fewer wrinkles. "
-					"They also move the surface more.")),
+					"They also move the surface more. At the default it is what suits the material.")),
 		onlyFor(Solver::ConstrainedNewton,
 				floatParameter("fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
 							   "how much detail is smoothed away: bumps that are shorter than this share of "

@@ -64,6 +64,20 @@ def test_with_nothing_allowed_all_is_as_without_a_material():
         assert np.array_equal(flat, results[0][1])
 
 
+def test_a_material_brings_its_smoothness_unless_another_is_asked_for():
+    shapes = {}
+    for name, values in {
+        "as the material": {},
+        "the same": {"smoothness": 3e-5},
+        "asked for": {"smoothness": 1e-3},
+    }.items():
+        meshes = mesh_set(bump())
+        meshes.apply_filter(GLOBAL, material="Sheet steel", **values)
+        shapes[name] = meshes.current_mesh().vertex_matrix().copy()
+    assert np.array_equal(shapes["as the material"], shapes["the same"])
+    assert not np.array_equal(shapes["as the material"], shapes["asked for"])
+
+
 def test_the_more_is_allowed_the_less_it_moves_and_what_fits_stays():
     moves = []
     for bound in (0.0, 0.5, 1.5, 20.0):

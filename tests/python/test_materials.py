@@ -32,11 +32,20 @@ def test_every_material_of_the_dialog_is_in_the_table_with_a_source_and_bounds()
     assert filters.FLATTEN.parameter("material").kind.texts == tuple(table)
     for entry in table.values():
         assert len(entry["source"]) > 20
+        assert entry["name"] == "Custom" or 0 < entry["smoothness"] <= 1
+        for said in ("smoothness", "thickness", "elastic_strain"):
+            assert said not in entry or _is_sourced(entry, said), f"{entry['name']}: {said}"
         for key in ("stretch", "compression"):
             bounds = entry[key]
             values = bounds.values() if isinstance(bounds, dict) else [bounds]
             assert all(0 <= value < 100 for value in values)
             assert not isinstance(bounds, dict) or set(bounds) == {"warp", "weft", "bias"}
+
+
+def _is_sourced(entry, said):
+    """Whether the source says something of that number, or has it."""
+    words = {"elastic_strain": "strain|%", "thickness": "mm", "smoothness": "smoothness"}
+    return re.search(words[said], entry["source"]) is not None
 
 
 def test_an_own_material_is_the_entry_of_its_file(own_file):

@@ -31,6 +31,7 @@ HeldGrain heldGrain(const PatchAssembly& assembly, const FlatPatterns& patterns,
 	if (!options.bounds.directed)
 		return {};
 	std::vector<HeldGrain::Piece> pieces;
+	pieces.reserve(assembly.patches.size());
 	for (int piece = 0; piece < assembly.patchCount(); ++piece)
 		pieces.push_back({trianglesOfPiece(triangles, assembly, piece), patterns.pieces[piece].longestSide});
 	return HeldGrain(std::move(pieces), options.grain, start, patterns.positions);
@@ -41,7 +42,7 @@ HeldGrain heldGrain(const PatchAssembly& assembly, const FlatPatterns& patterns,
 BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
 					   const BoundedStrainOptions& options, double farthest, double firstStiffness,
 					   const Progress& progress)
-	: assembly_(assembly), options_(options), progress_(progress), firstStiffness_(firstStiffness),
+	: options_(options), progress_(progress), firstStiffness_(firstStiffness),
 	  nearness_(nearness(assembly, options.smoothness, options.fairness)), bound_(assembly, farthest),
 	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
 	  grain_(heldGrain(assembly, patterns, penalty_.triangles(), start, options)),

@@ -27,7 +27,6 @@ private:
 	double violation() const;
 	bool mayGoOn(double startViolation) const;
 
-	const PatchAssembly& assembly_;
 	const BoundedStrainOptions& options_;
 	const Progress& progress_;
 	const double firstStiffness_;
