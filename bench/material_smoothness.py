@@ -33,7 +33,9 @@ def radii_beyond(vertices, faces) -> list[float]:
 
 def main() -> None:
     """Print the table."""
-    print_head(("material", "mesh", "smoothness", "mean move, %", "radius of 99 %", "95 %", "50 % of the area"))
+    print_head(
+        ("material", "mesh", "smoothness", "mean move, %", "radius of 99 %", "95 %", "50 % of the area")
+    )
     for material in sys.argv[1:] or ["Sheet steel", "Plywood", "Leather", "Paper"]:
         for name in MODELS:
             meshes = pymeshlab.MeshSet()
@@ -42,7 +44,9 @@ def main() -> None:
             vertices, faces = mesh.vertex_matrix().copy(), mesh.face_matrix().copy()
             diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
             before = radii_beyond(vertices, faces)
-            print_row(material, name, "the original", "0", *(f"{100 * radius / diagonal:.2f}" for radius in before))
+            print_row(
+                material, name, "the original", "0", *(f"{100 * radius / diagonal:.2f}" for radius in before)
+            )
             for smoothness in SMOOTHNESSES:
                 moved = make_developable(vertices, faces, material=material, smoothness=smoothness)
                 move = np.linalg.norm(moved.vertices - vertices, axis=1).mean()
