@@ -123,6 +123,11 @@ Material chosenMaterial(const ParameterValues& values) {
 										: materials()[index];
 }
 
+double smallestRadius(const ParameterValues& values) {
+	const double elasticStrain = chosenMaterial(values).elasticStrain;
+	return elasticStrain > 0 ? leastBendingRadius(values.number("thickness"), elasticStrain) : 0;
+}
+
 double chosenSmoothness(const ParameterValues& values) {
 	const double ofFilter = ConstrainedNewtonOptions().smoothness,
 				 suiting = chosenMaterial(values).smoothness;

@@ -40,6 +40,10 @@ Material chosenMaterial(const ParameterValues& values);
 /// \throws InvalidParameter
 StrainBounds strainBounds(const ParameterValues& values);
 
+/// The smallest radius that a sheet of the chosen thickness and material bears, in the mesh's unit; 0 where
+/// either is not known.
+double smallestRadius(const ParameterValues& values);
+
 /// The parameter `smoothness`, or what suits the material where that is at its default or the filter has
 /// none.
 double chosenSmoothness(const ParameterValues& values);

@@ -73,6 +73,7 @@ OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAs
 	options.smoothness = chosenSmoothness(values);
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
+	options.leastRadius = inWorkingUnits(assembly.lengthExponent, smallestRadius(values));
 	options.threads = threadsAskedFor();
 	return boundedStrain(assembly, positions, options, progress);
 }

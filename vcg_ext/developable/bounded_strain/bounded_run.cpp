@@ -19,6 +19,12 @@ constexpr int patience = 8; // steps that were no good
 constexpr std::size_t hopelessHardenings = 4;
 constexpr double hopelessShare = 0.7; // of the violation so many hardenings, 256 times the stiffness, before
 
+/// The edge of the bending bound sharpens with those of strains, of which it is a multiple.
+double bendingWidth(const RoundedPenalty& edge) {
+	constexpr double ofStrain = 10, sharpest = 0.01;
+	return std::max(ofStrain * edge.width, sharpest);
+}
+
 bool hopeless(const std::vector<double>& violations) {
 	return violations.size() > hopelessHardenings &&
 		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
@@ -40,13 +46,14 @@ HeldGrain heldGrain(const PatchAssembly& assembly, const FlatPatterns& patterns,
 } // namespace
 
 BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
-					   const BoundedStrainOptions& options, double farthest, double firstStiffness,
-					   const Progress& progress)
+					   const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
+					   double firstStiffness, const Progress& progress)
 	: options_(options), progress_(progress), firstStiffness_(firstStiffness),
 	  nearness_(nearness(assembly, options.smoothness, options.fairness)), bound_(assembly, farthest),
+	  bending_(assembly, bending),
 	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
 	  grain_(heldGrain(assembly, patterns, penalty_.triangles(), start, options)),
-	  steps_(assembly, nearness_, bound_, penalty_, grain_), unknowns_{start, patterns.positions} {
+	  steps_(assembly, nearness_, bound_, bending_, penalty_, grain_), unknowns_{start, patterns.positions} {
 	penalty_.watchBorder(patterns.positions);
 	if (!options.bounds.directed)
 		return;
@@ -67,6 +74,7 @@ BoundedEnding BoundedRun::run() {
 		if (!mayGoOn(startViolation))
 			return BoundedEnding::Stopped;
 		++iterations_;
+		bending_.harden(bendingWidth(penalty_.edge()));
 		const double decrease = steps_.step(unknowns_);
 		if (!steps_.solvable())
 			return BoundedEnding::Stuck;

@@ -15,8 +15,8 @@ public:
 	/// \param farthest        how far places may go, length; positive
 	/// \param firstStiffness  κ to begin with, see Hardening
 	BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
-			   const BoundedStrainOptions& options, double farthest, double firstStiffness,
-			   const Progress& progress);
+			   const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
+			   double firstStiffness, const Progress& progress);
 
 	BoundedEnding run();
 
@@ -32,6 +32,7 @@ private:
 	const double firstStiffness_;
 	const Nearness nearness_;
 	const DisplacementBound bound_;
+	BendingBound bending_;
 	StrainPenalty penalty_;
 	HeldGrain grain_;
 	ShapeAndPatternSteps steps_;

@@ -27,10 +27,10 @@ double areaOf(const PatchAssembly& assembly) {
 } // namespace
 
 ShapeAndPatternSteps::ShapeAndPatternSteps(const PatchAssembly& assembly, const Nearness& nearness,
-										   const DisplacementBound& bound, const StrainPenalty& penalty,
-										   const HeldGrain& grain)
-	: assembly_(assembly), nearness_(nearness), bound_(bound), penalty_(penalty), grain_(grain),
-	  order_(assembly), area_(areaOf(assembly)) {}
+										   const DisplacementBound& bound, BendingBound& bending,
+										   const StrainPenalty& penalty, const HeldGrain& grain)
+	: assembly_(assembly), nearness_(nearness), bound_(bound), bending_(bending), penalty_(penalty),
+	  grain_(grain), order_(assembly), area_(areaOf(assembly)) {}
 
 double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
 	const Eigen::MatrixXd d = (shape - nearness_.aim).transpose();
@@ -39,10 +39,11 @@ double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
 
 double ShapeAndPatternSteps::value(const ShapeAndPattern& unknowns) const {
 	return squaredDistance(unknowns.shape) / (2 * area_) + bound_.value(penalty_.edge(), unknowns.shape) +
-		   penalty_.value(unknowns.shape, unknowns.pattern);
+		   bending_.value(unknowns.shape) + penalty_.value(unknowns.shape, unknowns.pattern);
 }
 
 double ShapeAndPatternSteps::step(ShapeAndPattern& unknowns) {
+	bending_.take(unknowns.shape);
 	Eigen::VectorXd gradient;
 	const Eigen::VectorXd whole = direction(unknowns, gradient);
 	if (!solvable_)
@@ -77,6 +78,7 @@ Eigen::VectorXd ShapeAndPatternSteps::direction(const ShapeAndPattern& unknowns,
 					120 * penalty_.triangles().count() + size);
 	addMetric(unknowns.shape, gradient, entries);
 	addBound(unknowns.shape, gradient, entries);
+	bending_.addDerivatives(unknowns.shape, gradient, entries);
 	for (int t = 0; t < penalty_.triangles().count(); ++t)
 		addElement(t, penalty_.element(t, unknowns.shape, unknowns.pattern), gradient, entries);
 	addBorder(unknowns.pattern, shapeSize, gradient, entries);
