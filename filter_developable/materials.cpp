@@ -112,8 +112,9 @@ std::vector<Parameter> materialParameters() {
 Parameter thicknessParameter() {
 	return lengthParameter(
 		"thickness", 0, "Thickness",
-		"How thick the material is, in the mesh's unit; 0 means that bending is not judged. "
-		"Else the log says how much of the area is bent more tightly than it bears.");
+		"How thick the material is, in the mesh's unit; 0 means that bending is not judged. Else the surface "
+		"stays above the radius that such a sheet bears, where its strain lets it, and the log says how much of "
+		"the area is bent more tightly.");
 }
 
 Material chosenMaterial(const ParameterValues& values) {

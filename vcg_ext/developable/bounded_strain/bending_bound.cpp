@@ -8,8 +8,8 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double margin = 0.03; ///< share of the limit by which radii keep away from it
-constexpr double unfelt = 20;   ///< widths below the limit, where the cost has next to no slope
+constexpr double clearance = 0.03; ///< share of the limit by which radii keep away from it
+constexpr double unfelt = 20;      ///< widths below the limit, where the cost has next to no slope
 
 std::vector<double> copyShares(const PatchAssembly& assembly) {
 	std::vector<double> shares(assembly.copyCount(), 0);
@@ -29,7 +29,7 @@ std::vector<double> copyShares(const PatchAssembly& assembly) {
 } // namespace
 
 BendingBound::BendingBound(const PatchAssembly& assembly, const BendingLimit& limit)
-	: assembly_(assembly), radius_((1 + margin) * limit.radius), force_(limit.force),
+	: assembly_(assembly), radius_((1 + clearance) * limit.radius), force_(limit.force),
 	  masses_(copyShares(assembly)) {}
 
 void BendingBound::take(const Positions& shape) {
