@@ -74,8 +74,9 @@ private:
 	const BendingLimit bending_;
 };
 
-FlattenOptions flattening(const BoundedStrainOptions& options) {
+FlattenOptions flattening(const BoundedStrainOptions& options, bool onlyWithin) {
 	FlattenOptions result;
+	result.onlyWithin = onlyWithin;
 	result.bounds = options.bounds;
 	result.grain = options.grain;
 	return result;
@@ -96,9 +97,11 @@ Status statusOf(BoundedEnding ending, const PatchAssembly& part) {
 }
 
 /// Measures a result's pattern. \return false when the user asked for a stop
-bool measure(const PatchAssembly& part, const BoundedStrainOptions& options, const Progress& progress,
-			 BoundedOutcome& outcome) {
-	const FlatPatterns patterns = flattenPatches(part, outcome.positions, flattening(options), progress);
+/// \param onlyWithin  see FlattenOptions
+bool measure(const PatchAssembly& part, const BoundedStrainOptions& options, bool onlyWithin,
+			 const Progress& progress, BoundedOutcome& outcome) {
+	const FlatPatterns patterns =
+		flattenPatches(part, outcome.positions, flattening(options, onlyWithin), progress);
 	if (patterns.report.stopped) {
 		outcome.status = Status::Stopped;
 		return false;
@@ -122,7 +125,7 @@ BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
 	result.iterations = found.iterations;
 	result.positions = std::move(found.positions);
 	// A pattern by itself is found more exactly than together with its shape: it decides.
-	if (result.status == Status::Stopped || !measure(part, options, partOf(progress, 0.95, 1), result))
+	if (result.status == Status::Stopped || !measure(part, options, false, partOf(progress, 0.95, 1), result))
 		return result;
 	if (within(result))
 		result.status = Status::Converged;
@@ -175,7 +178,7 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 	const double farthest = farthestAllowed(part, options.maxDisplacement);
 	BoundedOutcome result;
 	result.positions = farthestMove(part, start) <= farthest ? start : part.originalPositions;
-	if (!measure(part, options, partOf(progress, 0, 0.05), result))
+	if (!measure(part, options, farthest > 0, partOf(progress, 0, 0.05), result))
 		return result;
 	if (!within(result)) {
 		if (farthest > 0)
@@ -183,6 +186,8 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 		else
 			result.status = statusOf(BoundedEnding::Stuck, part);
 	}
+	if (result.status == Status::Stopped)
+		return result;
 	if (within(result))
 		return farthest > 0 ? lessBent(part, options, farthest, std::move(result), partOf(progress, 0.5, 1))
 							: result;

@@ -15,19 +15,11 @@ constexpr double slow = 0.9;             // decrease of φ that a step must prom
 constexpr double settledDecrease = 0.02; // of φ, and of the distance: less means that the nearest is found
 constexpr double settledDistance = 0.005;
 constexpr int patience = 8; // steps that were no good
-// Where bounds can be kept, violations fall nearly as stiffness grows; else they come to an end.
-constexpr std::size_t hopelessHardenings = 4;
-constexpr double hopelessShare = 0.7; // of the violation so many hardenings, 256 times the stiffness, before
 
 /// The edge of the bending bound sharpens with those of strains, of which it is a multiple.
 double bendingWidth(const RoundedPenalty& edge) {
 	constexpr double ofStrain = 10, sharpest = 0.01;
 	return std::max(ofStrain * edge.width, sharpest);
-}
-
-bool hopeless(const std::vector<double>& violations) {
-	return violations.size() > hopelessHardenings &&
-		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
 }
 
 /// Of every patch, where bounds differ with the direction.

@@ -36,11 +36,12 @@ public:
 		penalty_.setGrain(std::vector<double>(panel.triangleCount(), grain_.angles().front()));
 	}
 
-	PlanePositions solve() {
+	PlanePositions solve(bool onlyWithin) {
 		if (violation() <= shareOfTolerance * patternTolerance)
 			return positions_;
 		Hardening hardening(penalty_);
 		int idle = 0, steps = 0; // no good in all, and with the same stiffness
+		std::vector<double> violations;
 		for (int i = 0; i < mostSteps; ++i) {
 			const double decrease = step();
 			if (decrease < settled && violation() <= shareOfTolerance * patternTolerance)
@@ -49,8 +50,12 @@ public:
 				if (++idle == patience)
 					break;
 				hardening.soften();
+				violations.clear();
 				steps = 0;
 			} else if (decrease < slow || ++steps == mostStepsAtOnce) {
+				violations.push_back(violation());
+				if (onlyWithin && hopeless(violations))
+					break;
 				if (!hardening.harden() && decrease < least)
 					break;
 				steps = 0;
@@ -137,10 +142,10 @@ private:
 } // namespace
 
 PlanePositions boundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
-							 Grain grain, const std::array<int, 2>& longestSide) {
+							 Grain grain, const std::array<int, 2>& longestSide, bool onlyWithin) {
 	if (countFlipped(panel.triangles, start) > 0)
 		return start;
-	return BoundedLayout(panel, start, bounds, grain, longestSide).solve();
+	return BoundedLayout(panel, start, bounds, grain, longestSide).solve(onlyWithin);
 }
 
 } // namespace developable::detail
