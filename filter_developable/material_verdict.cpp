@@ -65,7 +65,10 @@ std::string verdict(const Material& material, const PatchAssembly& assembly, con
 		return patterns.pieces[a].beyondBounds > patterns.pieces[b].beyondBounds;
 	});
 	const std::string bounds = boundsInWords(patterns.bounds);
-	std::string words = material.name + ": ";
+	std::string words = material.name;
+	if (material.thickness > 0)
+		words += ", " + formatted(material.thickness, 3) + " mm";
+	words += ": ";
 	if (beyond.empty())
 		words += "every panel is within its " + bounds;
 	else
@@ -104,9 +107,9 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 
 void judgeBending(FilterCall& call, const PatchAssembly& assembly, const Positions& positions) {
 	const double thickness = call.values.number("thickness");
-	const Material& material = chosenMaterial(call.values);
 	if (thickness == 0)
 		return;
+	const Material material = chosenMaterial(call.values);
 	if (!(material.elasticStrain > 0)) {
 		call.log(material.name + ": bending is not judged, as no strain is known that its surface bears");
 		return;

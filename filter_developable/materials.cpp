@@ -4,9 +4,13 @@
 
 #include "shared_parameters.h"
 
+#include "developable/newton/constrained_newton.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <cmath>
+#include <cstdlib>
 
 namespace developable::plugin {
 
@@ -15,34 +19,52 @@ namespace {
 constexpr double onePerCent = 0.01;
 constexpr double ofMaterial = -1; ///< a bound that the material decides
 
+double number(const QJsonObject& object, const QString& key) {
+	const QJsonValue value = object[key];
+	if (!value.isDouble())
+		throw InvalidParameter("The material of your own has no number for '" + key.toStdString() +
+							   "': see docs/materials.md for the form of an entry.");
+	return value.toDouble();
+}
+
+double numberOrNothing(const QJsonObject& object, const QString& key) {
+	return object.contains(key) ? number(object, key) : 0;
+}
+
 /// A number for all directions, or one for each.
 /// \param bound  DirectionBounds::stretch or DirectionBounds::compression
-void readBounds(const QJsonValue& value, double DirectionBounds::*bound, StrainBounds& bounds) {
-	if (!value.isObject()) {
+void readBounds(const QJsonObject& entry, const QString& key, double DirectionBounds::*bound,
+				StrainBounds& bounds) {
+	if (!entry[key].isObject()) {
 		for (DirectionBounds* direction : {&bounds.warp, &bounds.weft, &bounds.bias})
-			direction->*bound = onePerCent * value.toDouble();
+			direction->*bound = onePerCent * number(entry, key);
 		return;
 	}
+	const QJsonObject directions = entry[key].toObject();
 	bounds.directed = true;
-	bounds.warp.*bound = onePerCent * value.toObject()["warp"].toDouble();
-	bounds.weft.*bound = onePerCent * value.toObject()["weft"].toDouble();
-	bounds.bias.*bound = onePerCent * value.toObject()["bias"].toDouble();
+	bounds.warp.*bound = onePerCent * number(directions, "warp");
+	bounds.weft.*bound = onePerCent * number(directions, "weft");
+	bounds.bias.*bound = onePerCent * number(directions, "bias");
+}
+
+Material readMaterial(const QJsonObject& entry) {
+	Material material;
+	material.name = entry["name"].toString().toStdString();
+	readBounds(entry, "stretch", &DirectionBounds::stretch, material.bounds);
+	readBounds(entry, "compression", &DirectionBounds::compression, material.bounds);
+	material.elasticStrain = onePerCent * numberOrNothing(entry, "elastic_strain");
+	material.thickness = numberOrNothing(entry, "thickness");
+	material.smoothness = numberOrNothing(entry, "smoothness");
+	material.source = entry["source"].toString().toStdString();
+	return material;
 }
 
 std::vector<Material> readMaterials() {
 	std::vector<Material> result;
 	const QJsonDocument document = QJsonDocument::fromJson(materialsText());
 	const QJsonArray entries = document.object()["materials"].toArray();
-	for (const QJsonValue& value : entries) {
-		const QJsonObject entry = value.toObject();
-		Material material;
-		material.name = entry["name"].toString().toStdString();
-		readBounds(entry["stretch"], &DirectionBounds::stretch, material.bounds);
-		readBounds(entry["compression"], &DirectionBounds::compression, material.bounds);
-		material.elasticStrain = onePerCent * entry["elastic_strain"].toDouble();
-		material.source = entry["source"].toString().toStdString();
-		result.push_back(material);
-	}
+	for (const QJsonValue& value : entries)
+		result.push_back(readMaterial(value.toObject()));
 	return result;
 }
 
@@ -90,12 +112,29 @@ std::vector<Parameter> materialParameters() {
 Parameter thicknessParameter() {
 	return lengthParameter(
 		"thickness", 0, "Thickness",
-		"How thick the material is, in the mesh's unit; 0 means that bending is not judged. "
-		"Else the log says how much of the area is bent more tightly than it bears.");
+		"How thick the material is, in the mesh's unit; 0 means that bending is not judged. Else the surface "
+		"stays above the radius that such a sheet bears, where its strain lets it, and the log says how much of "
+		"the area is bent more tightly.");
 }
 
-const Material& chosenMaterial(const ParameterValues& values) {
-	return materials()[std::size_t(values.integer("material"))];
+Material chosenMaterial(const ParameterValues& values) {
+	const auto index = static_cast<std::size_t>(values.integer("material"));
+	const char* own = std::getenv(ownMaterialVariable);
+	return index == 0 && own != nullptr ? readMaterial(QJsonDocument::fromJson(own).object())
+										: materials()[index];
+}
+
+double smallestRadius(const ParameterValues& values) {
+	const double elasticStrain = chosenMaterial(values).elasticStrain;
+	return elasticStrain > 0 ? leastBendingRadius(values.number("thickness"), elasticStrain) : 0;
+}
+
+double chosenSmoothness(const ParameterValues& values) {
+	const double ofFilter = ConstrainedNewtonOptions().smoothness,
+				 suiting = chosenMaterial(values).smoothness;
+	const double asked = values.has("smoothness") ? values.number("smoothness") : ofFilter;
+	// Hosts may have rounded the default to float.
+	return suiting > 0 && std::abs(asked - ofFilter) < 1e-6 * ofFilter ? suiting : asked;
 }
 
 StrainBounds strainBounds(const ParameterValues& values) {

@@ -13,6 +13,8 @@ struct Material {
 	std::string name;
 	StrainBounds bounds;
 	double elasticStrain = 0; ///< of its surface when it is bent without a set, a share; 0: not known
+	double thickness = 0;     ///< of the stuff that the numbers are of, mm; 0: any
+	double smoothness = 0;    ///< that suits it; 0: the filter's default
 	std::string source;
 };
 
@@ -28,10 +30,22 @@ Parameter thicknessParameter();
 /// `material`, `allowed_stretch`, `allowed_compression` and `grain`.
 std::vector<Parameter> materialParameters();
 
-const Material& chosenMaterial(const ParameterValues& values);
+/// The environment variable that holds an entry of a user's own, in the table's form; it stands for Custom.
+constexpr const char* ownMaterialVariable = "DEVELOPABLE_MATERIAL";
+
+/// \throws InvalidParameter  when the user's own is none
+Material chosenMaterial(const ParameterValues& values);
 
 /// The material's bounds, or those that were asked for in place of them.
 /// \throws InvalidParameter
 StrainBounds strainBounds(const ParameterValues& values);
+
+/// The smallest radius that a sheet of the chosen thickness and material bears, in the mesh's unit; 0 where
+/// either is not known.
+double smallestRadius(const ParameterValues& values);
+
+/// The parameter `smoothness`, or what suits the material where that is at its default or the filter has
+/// none.
+double chosenSmoothness(const ParameterValues& values);
 
 } // namespace developable::plugin

@@ -52,7 +52,8 @@ SIGNATURES_HEAD = f"""{HEAD}
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Mapping
+from typing import Any, Literal
 
 import numpy.typing as npt
 
@@ -239,7 +240,7 @@ def words_of(parameter: Any) -> str:
 def annotation_of(parameter: Any) -> str:
     """The type of the parameter, as Python writes it."""
     if parameter["type"] == "enumeration":
-        own_files = " | str" if parameter["name"] == "material" else ""
+        own_files = " | str | Mapping[str, Any]" if parameter["name"] == "material" else ""
         return f"Literal[{', '.join(map(repr, parameter['choices']))}]{own_files}"
     return {"bool": "bool", "int": "int", "float": "float", "length": "float | str", "mesh": "int"}[
         parameter["type"]

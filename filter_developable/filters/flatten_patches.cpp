@@ -74,7 +74,8 @@ void logSeams(const FilterCall& call, int lengthExponent, const std::vector<Seam
 		const Seam& seam = seams[i];
 		call.log("seam " + std::to_string(i + 1) + ": piece " + std::to_string(seam.piece[0] + 1) + " with " +
 				 std::to_string(seam.piece[1] + 1) + ", lengths " + shown(seam.length[0], 6) + " and " +
-				 shown(seam.length[1], 6) + ", mismatch " + shown(seam.mismatch(), 3));
+				 shown(seam.length[1], 6) + ", mismatch " + shown(seam.mismatch(), 3) + " (" +
+				 formatted(100 * seam.ease(), 3) + " % of ease)");
 	}
 	if (seams.size() > most)
 		call.log("and " + std::to_string(seams.size() - most) + " more seams");

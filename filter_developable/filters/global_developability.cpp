@@ -56,7 +56,7 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.angleTolerance = values.number("angle_tolerance");
 	options.curvatureTolerance = values.number("curvature_tolerance");
 	options.maxIterations = values.integer("max_iterations");
-	options.smoothness = values.number("smoothness");
+	options.smoothness = chosenSmoothness(values);
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
 	options.threads = threadsAskedFor();
@@ -70,9 +70,10 @@ OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAs
 	options.bounds = strainBounds(values);
 	options.grain = values.choice<Grain>("grain");
 	options.maxIterations = values.integer("max_iterations");
-	options.smoothness = values.number("smoothness");
+	options.smoothness = chosenSmoothness(values);
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
+	options.leastRadius = inWorkingUnits(assembly.lengthExponent, smallestRadius(values));
 	options.threads = threadsAskedFor();
 	return boundedStrain(assembly, positions, options, progress);
 }
@@ -138,7 +139,7 @@ std::vector<Parameter> parameters() {
 				floatParameter(
 					"smoothness", ConstrainedNewtonOptions().smoothness, {0, true, 1}, "", "Smoothness",
 					"how much weight bending has against distance; larger values give fewer wrinkles. "
-					"They also move the surface more.")),
+					"They also move the surface more. At the default it is what suits the material.")),
 		onlyFor(Solver::ConstrainedNewton,
 				floatParameter("fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
 							   "how much detail is smoothed away: bumps that are shorter than this share of "

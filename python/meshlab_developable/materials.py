@@ -2,28 +2,37 @@
 """Materials: the plugin's table, and files of one's own in the same form.
 
 `materials.json` is a copy of the plugin's table that `generate_filters.py` writes. A file of one's own has
-the same form: a list `materials` of entries with `name`, `stretch` and `compression` in per cent, and
-`source`.
+the same form: a list `materials` of entries with `name`, `stretch` and `compression` in per cent, each one
+number or a table with `warp`, `weft` and `bias`, and `source`; and, where they are known, `elastic_strain`
+(per cent, that the surface bears without a set), `thickness` (mm) and `smoothness`.
 """
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import json
 import math
-from collections.abc import Mapping, Sequence
+import os
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from meshlab_developable.errors import InvalidParameterError
 
+Entry: TypeAlias = Mapping[str, Any]
+
 TABLE = Path(__file__).with_name("materials.json")
+OF_THE_USER = "DEVELOPABLE_MATERIAL"  # the plugin takes the entry in this variable for `Custom`
+DIRECTIONS = ("warp", "weft", "bias")
+BOUNDS = {"stretch": 1000.0, "compression": 100.0}  # per cent, with the most there can be
+OTHER_NUMBERS = {"elastic_strain": 100.0, "thickness": math.inf, "smoothness": 1.0}
 
 
 def materials(path: str | Path = TABLE) -> dict[str, dict[str, Any]]:
     """The entries of a table by their names.
 
-    Raises InvalidParameterError for a file that is none, and for an entry without a source.
+    Raises InvalidParameterError for a file that is none, and for an entry that is none.
     """
     try:
         content = json.loads(Path(path).read_text(encoding="utf-8"))
@@ -37,22 +46,54 @@ def materials(path: str | Path = TABLE) -> dict[str, dict[str, Any]]:
             f"{path} is no table of materials: it has to be JSON with a list 'materials' of entries with a "
             "'name', 'stretch' and 'compression' in per cent, and a 'source'"
         ) from None
-    for name, entry in entries.items():
-        if not entry.get("source"):
-            raise InvalidParameterError(f"the material {name!r} in {path} says no 'source' of its numbers")
+    for entry in entries.values():
+        require_valid(entry, f" in {path}")
     return entries
 
 
-def resolved(parameters: Mapping[str, Any]) -> dict[str, Any]:
-    """The parameters, with the bounds of an own file's material in place of its name.
+def require_valid(entry: Entry, place: str = "") -> None:
+    """Raises InvalidParameterError for an entry with a number that can't be, or without a source.
 
-    `material` may be `FILE.json#NAME`, or `FILE.json` where that has one entry only. Bounds that are given
-    beside it go before those of the file. Raises InvalidParameterError.
+    place: where it is from, for the message.
+    """
+    name = f"material {entry.get('name')!r}{place}"
+    known = ["name", "source", *BOUNDS, *OTHER_NUMBERS]
+    for key in entry:
+        if key not in known:
+            near = difflib.get_close_matches(key, known, n=1)
+            hint = f"did you mean {near[0]!r}?" if near else f"it can have {', '.join(known)}"
+            raise InvalidParameterError(f"the {name} has an unknown {key!r}; {hint}")
+    if not (isinstance(entry.get("name"), str) and entry["name"]):
+        raise InvalidParameterError(f"the {name} has to have a 'name'")
+    if not (isinstance(entry.get("source"), str) and entry["source"]):
+        raise InvalidParameterError(f"the {name} says no 'source' of its numbers")
+    for key, most in BOUNDS.items():
+        bound = entry.get(key)
+        if isinstance(bound, Mapping) and set(bound) != set(DIRECTIONS):
+            raise InvalidParameterError(
+                f"the {key} of the {name} has {', '.join(bound)}, but must be one number, or have "
+                f"{', '.join(DIRECTIONS)}"
+            )
+        for value in bound.values() if isinstance(bound, Mapping) else [bound]:
+            _require_number(value, f"the {key} of the {name}", most)
+    for key, most in OTHER_NUMBERS.items():
+        if key in entry:
+            _require_number(entry[key], f"the {key} of the {name}", most)
+
+
+def resolved(parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """The parameters, with the entry of an own file in place of its name.
+
+    `material` may be `FILE.json#NAME`, or `FILE.json` where that has one entry only, or an entry itself.
+    Raises InvalidParameterError.
     """
     chosen = parameters.get("material")
-    if not isinstance(chosen, str | Path) or ".json" not in str(chosen):
+    if isinstance(chosen, Mapping):
+        require_valid(chosen)
+        return dict(parameters) | {"material": dict(chosen)}
+    if not is_own_file(chosen):
         return dict(parameters)
-    path, _, name = str(chosen).partition("#")
+    path, _, name = (str(chosen), "", "") if str(chosen).endswith(".json") else str(chosen).rpartition("#")
     entries = materials(path)
     if not name and len(entries) == 1:
         name = next(iter(entries))
@@ -60,11 +101,51 @@ def resolved(parameters: Mapping[str, Any]) -> dict[str, Any]:
         near = difflib.get_close_matches(name, entries, n=1, cutoff=0.4)
         hint = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(map(repr, entries))}"
         raise InvalidParameterError(f"{path} has no material {name!r}; {hint}")
-    values = dict(parameters) | {"material": "Custom"}
-    for key in ("stretch", "compression"):
+    return dict(parameters) | {"material": entries[name]}
+
+
+def is_own_file(material: Any) -> bool:
+    """Whether this says a file of one's own, and maybe a name in it."""
+    return isinstance(material, str | Path) and ".json" in str(material)
+
+
+@contextlib.contextmanager
+def handed_over(values: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    """Resolved parameters as filters take them: for an entry of one's own `Custom`, which it is meanwhile."""
+    chosen = values.get("material")
+    if not isinstance(chosen, Mapping):
+        yield dict(values)
+        return
+    before = os.environ.get(OF_THE_USER)
+    os.environ[OF_THE_USER] = json.dumps(chosen)
+    try:
+        yield dict(values) | {"material": "Custom"}
+    finally:
+        if before is None:
+            del os.environ[OF_THE_USER]
+        else:
+            os.environ[OF_THE_USER] = before
+
+
+def as_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Resolved parameters with the bounds of an own entry as numbers, as a stored script can hold them.
+
+    Bounds that are given beside it go before its own. Raises InvalidParameterError where they differ with the
+    direction.
+    """
+    entry = values.get("material")
+    if not isinstance(entry, Mapping):
+        return dict(values)
+    if any(isinstance(entry[key], Mapping) for key in BOUNDS):
+        raise InvalidParameterError(
+            f"a script can't hold the bounds of {entry['name']!r}, which differ with the direction: apply "
+            "the filter from Python or the command line"
+        )
+    numbers = dict(values) | {"material": "Custom"}
+    for key in BOUNDS:
         if values.get(f"allowed_{key}", -1.0) == -1.0:
-            values[f"allowed_{key}"] = _bound(entries[name], key, path)
-    return values
+            numbers[f"allowed_{key}"] = float(entry[key])
+    return numbers
 
 
 def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
@@ -73,13 +154,12 @@ def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     An edge that is shorter on the model by c of its pattern's length is longer in the pattern by c / (1 - c)
     of the model's; one that is stretched by s is shorter by s / (1 + s).
     """
-    values = resolved(parameters)
-    entry = materials().get(str(values.get("material", "Custom")), {})
+    entry = _entry_of(parameters.get("material"))
     strains = [0.0]
     for key, sign in (("stretch", 1), ("compression", -1)):
-        bound = values.get(f"allowed_{key}", -1.0)
-        own = entry.get(key, 0.0)
+        bound = parameters.get(f"allowed_{key}", -1.0)
         if bound == -1.0:
+            own = entry.get(key, 0.0)
             bounds = [*own.values()] if isinstance(own, Mapping) else [own]
         else:
             bounds = [bound] if isinstance(bound, int | float) and math.isfinite(bound) else []
@@ -87,7 +167,7 @@ def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     return float(max(strains))
 
 
-def grain_along(direction: Sequence[float], material: str) -> str:
+def grain_along(direction: Sequence[float], material: Any) -> str:
     """The choice of the filters' `grain` for a direction on the model.
 
     Only materials whose directions differ look at it. Raises InvalidParameterError for one of those with a
@@ -96,26 +176,24 @@ def grain_along(direction: Sequence[float], material: str) -> str:
     along = [axis for axis, part in zip("XYZ", direction, strict=True) if part != 0]
     if len(along) == 1:
         return f"{along[0]} axis"
-    entry = materials().get(material, {})
-    if any(isinstance(entry.get(key), Mapping) for key in ("stretch", "compression")):
+    entry = _entry_of(material)
+    if any(isinstance(entry.get(key), Mapping) for key in BOUNDS):
         raise InvalidParameterError(
-            f"{material} bears more in one direction than in another, so its grain has to run along x, y or "
-            "z, or along the longest seam"
+            f"{entry['name']} bears more in one direction than in another, so its grain has to run along x, "
+            "y or z, or along the longest seam"
         )
     return "Longest seam"
 
 
-def _bound(entry: Mapping[str, Any], key: str, path: str) -> float:
-    """One bound of an entry, per cent."""
-    value = entry.get(key)
-    if isinstance(value, Mapping):
-        raise InvalidParameterError(
-            f"the material {entry['name']!r} in {path} has a {key} for each direction, which only the "
-            "plugin's own materials can have: give it one number"
-        )
-    if isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < math.inf:
-        return float(value)
-    raise InvalidParameterError(
-        f"the {key} of the material {entry['name']!r} in {path} is {value!r}, but must be a number of per "
-        "cent, 0 or more"
-    )
+def _entry_of(material: Any) -> Entry:
+    """Of a preset, or of one's own; without a material, or with one that there is not, empty."""
+    chosen = resolved({"material": material})["material"]
+    return chosen if isinstance(chosen, Mapping) else materials().get(str(chosen), {})
+
+
+def _require_number(value: Any, what: str, most: float) -> None:
+    number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    if number and 0 <= value <= most:
+        return
+    limit = f" and at most {most:g}" if most < math.inf else ""
+    raise InvalidParameterError(f"{what} is {value!r}, but must be a number, 0 or more{limit}")

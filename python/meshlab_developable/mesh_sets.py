@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 import pymeshlab
 
-from meshlab_developable import plugin
+from meshlab_developable import materials, plugin
 from meshlab_developable.declared_counts import declared_faces
 from meshlab_developable.errors import (
     DevelopableError,
@@ -96,7 +96,8 @@ def apply_filter(meshes: Any, applied: Filter, values: Mapping[str, Any]) -> dic
         for name, value in values.items()
     }
     try:
-        result: dict[str, Any] = meshes.apply_filter(applied.function, **converted)
+        with materials.handed_over(converted) as plain:
+            result: dict[str, Any] = meshes.apply_filter(applied.function, **plain)
     except pymeshlab.PyMeshLabException as error:
         forget_failure()
         raise told(error, FilterError) from error

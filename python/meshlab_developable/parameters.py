@@ -183,15 +183,17 @@ class Choice(Kind):
 
 @dataclasses.dataclass(frozen=True)
 class Material(Choice):
-    """One of the plugin's materials, or one of an own file: `FILE.json#NAME`."""
+    """One of the plugin's materials, or of one's own: `FILE.json#NAME`, or an entry as such a file has it."""
 
-    def check(self, value: Any) -> str:
-        """A name, its index, or a file's path as it is."""
-        return str(value) if ".json" in str(value) else super().check(value)
+    def check(self, value: Any) -> Any:
+        """A name, its index, or a file's path or an entry as they are."""
+        if isinstance(value, Mapping):
+            return value
+        return str(value) if materials.is_own_file(value) else super().check(value)
 
     def parse(self, text: str) -> str:
         """A name in any case, the index, or a path."""
-        return text if ".json" in text else super().parse(text)
+        return text if materials.is_own_file(text) else super().parse(text)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -10,6 +10,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from typing import Any
 
+from meshlab_developable import materials
 from meshlab_developable.filters import Filter
 from meshlab_developable.parameters import converted
 
@@ -19,7 +20,7 @@ def script_text(applied: Filter, values: Mapping[str, Any] | None = None) -> str
 
     Raises InvalidParameterError for a name or a value that the filter has not.
     """
-    chosen = applied.checked(values or {})
+    chosen = materials.as_numbers(applied.checked(values or {}))
     root = ElementTree.Element("FilterScript")
     element = ElementTree.SubElement(root, "filter", name=applied.title)
     for parameter in applied.parameters:

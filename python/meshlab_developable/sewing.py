@@ -26,6 +26,11 @@ class Seam:
         """How much longer one side is than the other."""
         return abs(self.lengths[0] - self.lengths[1])
 
+    @property
+    def ease(self) -> float:
+        """The same as a share of the shorter side."""
+        return self.mismatch / min(self.lengths)
+
 
 def boundary_loops(faces: IndexArray) -> tuple[IndexArray, ...]:
     """The boundaries of a mesh of manifold pieces, as rings of vertices in order.

@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Mapping
+from typing import Any, Literal
 
 import numpy.typing as npt
 
@@ -96,7 +97,8 @@ def make_developable(
     material: Literal[
         "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
     ]
-    | str = "Custom",
+    | str
+    | Mapping[str, Any] = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
@@ -198,7 +200,8 @@ def cut_into_panels(
     material: Literal[
         "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
     ]
-    | str = "Custom",
+    | str
+    | Mapping[str, Any] = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
@@ -264,7 +267,8 @@ def flatten(
     material: Literal[
         "Custom", "Sheet steel", "Sheet aluminium", "Plywood", "Leather", "Woven cloth", "Knit", "Paper"
     ]
-    | str = "Custom",
+    | str
+    | Mapping[str, Any] = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
     grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",

@@ -64,6 +64,20 @@ def test_with_nothing_allowed_all_is_as_without_a_material():
         assert np.array_equal(flat, results[0][1])
 
 
+def test_a_material_brings_its_smoothness_unless_another_is_asked_for():
+    shapes = {}
+    for name, values in {
+        "as the material": {},
+        "the same": {"smoothness": 3e-5},
+        "asked for": {"smoothness": 1e-3},
+    }.items():
+        meshes = mesh_set(bump())
+        meshes.apply_filter(GLOBAL, material="Sheet steel", **values)
+        shapes[name] = meshes.current_mesh().vertex_matrix().copy()
+    assert np.array_equal(shapes["as the material"], shapes["the same"])
+    assert not np.array_equal(shapes["as the material"], shapes["asked for"])
+
+
 def test_the_more_is_allowed_the_less_it_moves_and_what_fits_stays():
     moves = []
     for bound in (0.0, 0.5, 1.5, 20.0):
@@ -112,6 +126,22 @@ def test_bending_radius_of_a_cylinder():
     meshes = mesh_set((vertices, faces))
     meshes.apply_filter("compute_scalar_by_developability_per_vertex", map="Bending radius")
     assert np.median(meshes.current_mesh().vertex_scalar_array()) == pytest.approx(3, rel=0.02)
+
+
+def test_a_thickness_keeps_a_sheet_above_its_radius_where_it_can():
+    vertices, faces = bump(height=0.2)
+    shares = []
+    for thickness in (0.0, 1.5e-3):  # steel of that thickness bears a radius of 0.625
+        meshes = mesh_set((vertices, faces))
+        values = meshes.apply_filter(GLOBAL, material="Sheet steel", thickness=Length(thickness))
+        assert values["converged"]
+        assert max(values["max_stretch"], values["max_compression"]) < 0.13 + 1e-9
+        shape = meshes.current_mesh().vertex_matrix().copy()
+        meshes = mesh_set((shape, faces))
+        meshes.apply_filter("compute_scalar_by_developability_per_vertex", map="Bending radius")
+        shares.append((meshes.current_mesh().vertex_scalar_array() < 1.5e-3 / (2 * 0.0012)).mean())
+    assert shares[0] > 0.1
+    assert shares[1] == 0
 
 
 @pytest.mark.parametrize("filter_name", [GLOBAL, FLATTEN])

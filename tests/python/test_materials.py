@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
-from meshlab_developable import filters, materials
+from meshlab_developable import filters, materials, scripts
 from meshlab_developable.errors import InvalidParameterError
 
 OWN = {
@@ -31,6 +32,9 @@ def test_every_material_of_the_dialog_is_in_the_table_with_a_source_and_bounds()
     assert filters.FLATTEN.parameter("material").kind.texts == tuple(table)
     for entry in table.values():
         assert len(entry["source"]) > 20
+        assert entry["name"] == "Custom" or 0 < entry["smoothness"] <= 1
+        for said in ("smoothness", "thickness", "elastic_strain"):
+            assert said not in entry or _is_sourced(entry, said), f"{entry['name']}: {said}"
         for key in ("stretch", "compression"):
             bounds = entry[key]
             values = bounds.values() if isinstance(bounds, dict) else [bounds]
@@ -38,22 +42,36 @@ def test_every_material_of_the_dialog_is_in_the_table_with_a_source_and_bounds()
             assert not isinstance(bounds, dict) or set(bounds) == {"warp", "weft", "bias"}
 
 
-def test_an_own_material_gives_its_bounds_and_what_is_given_goes_before(own_file):
-    chosen = filters.GLOBAL.checked({"material": f"{own_file}#Our canvas"})
-    assert chosen == {"material": "Custom", "allowed_stretch": 1.5, "allowed_compression": 0.5}
-    chosen = filters.GLOBAL.checked({"material": f"{own_file}#Felt", "allowed_compression": 2.0})
-    assert chosen == {"material": "Custom", "allowed_stretch": 3.0, "allowed_compression": 2.0}
+def _is_sourced(entry, said):
+    """Whether the source says something of that number, or has it."""
+    words = {"elastic_strain": "strain|%", "thickness": "mm", "smoothness": "smoothness"}
+    return re.search(words[said], entry["source"]) is not None
+
+
+def test_an_own_material_is_the_entry_of_its_file(own_file):
+    chosen = filters.GLOBAL.checked({"material": f"{own_file}#Twill", "allowed_compression": 2.0})
+    assert chosen == {"material": OWN["materials"][2], "allowed_compression": 2.0}
+    assert filters.GLOBAL.checked(chosen) == chosen
 
 
 def test_a_file_with_one_material_needs_no_name(tmp_path):
     path = tmp_path / "one.json"
     path.write_text(json.dumps({"materials": OWN["materials"][:1]}), encoding="utf-8")
-    assert filters.FLATTEN.checked({"material": str(path)})["allowed_stretch"] == 1.5
+    assert filters.FLATTEN.checked({"material": str(path)})["material"] == OWN["materials"][0]
+
+
+def test_a_script_holds_an_own_material_as_numbers(own_file):
+    text = scripts.script_text(filters.GLOBAL, {"material": f"{own_file}#Felt", "allowed_compression": 0.5})
+    assert 'enum_val0="Custom"' in text
+    values = {found[1]: found[2] for found in re.finditer(r'name="(\w+)" type="\w+" value="([^"]*)"', text)}
+    assert values["material"] == "0"
+    assert (values["allowed_stretch"], values["allowed_compression"]) == ("3", "0.5")
+    with pytest.raises(InvalidParameterError, match="a script can't hold the bounds of 'Twill'"):
+        scripts.script_text(filters.GLOBAL, {"material": f"{own_file}#Twill"})
 
 
 @pytest.mark.parametrize(
-    ("name", "message"),
-    [("Our canvass", "did you mean 'Our canvas'"), ("", "it has 'Our canvas'"), ("Twill", "each direction")],
+    ("name", "message"), [("Our canvass", "did you mean 'Our canvas'"), ("", "it has 'Our canvas'")]
 )
 def test_what_a_file_has_not_is_refused_with_what_it_has(own_file, name, message):
     with pytest.raises(InvalidParameterError, match=message):
@@ -75,6 +93,22 @@ def test_what_a_file_has_not_is_refused_with_what_it_has(own_file, name, message
             "must be a number",
         ),
         ('{"materials": [{"name": "A", "compression": 0, "source": "x"}]}', "must be a number"),
+        (
+            '{"materials": [{"name": "A", "stretch": {"warp": 1}, "compression": 0, "source": "x"}]}',
+            "must be one number, or have warp, weft, bias",
+        ),
+        (
+            '{"materials": [{"name": "A", "stretch": 1, "compression": 101, "source": "x"}]}',
+            "0 or more and at most 100",
+        ),
+        (
+            '{"materials": [{"name": "A", "stretch": 1, "compresion": 1, "source": "x"}]}',
+            "unknown 'compresion'; did you mean 'compression'",
+        ),
+        (
+            '{"materials": [{"name": "A", "stretch": NaN, "compression": 1, "source": "x"}]}',
+            "must be a number",
+        ),
     ],
 )
 def test_a_bad_file_is_refused_with_a_sentence(tmp_path, content, message):
@@ -101,9 +135,12 @@ def test_patterns_may_be_strained_by_what_the_material_bears(own_file):
     assert strain({"material": "Knit"}) == pytest.approx(100 * (1 - 1 / 1.25))
     assert strain({"material": "Leather", "allowed_compression": 7.0}) == pytest.approx(100 * (1 / 0.93 - 1))
     assert strain({"material": f"{own_file}#Felt"}) == pytest.approx(100 * (1 - 1 / 1.03))
+    assert strain({"material": f"{own_file}#Twill"}) == pytest.approx(100 * (1 - 1 / 1.03))
 
 
-def test_the_grain_of_a_directed_material_runs_along_an_axis():
+def test_the_grain_of_a_directed_material_runs_along_an_axis(own_file):
+    with pytest.raises(InvalidParameterError, match="Twill bears more in one direction"):
+        materials.grain_along((1.0, 1.0, 0), f"{own_file}#Twill")
     assert materials.grain_along((0, -2.0, 0), "Woven cloth") == "Y axis"
     assert materials.grain_along((1.0, 1.0, 0), "Leather") == "Longest seam"
     with pytest.raises(InvalidParameterError, match="has to run along x, y or z"):

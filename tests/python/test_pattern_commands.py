@@ -86,10 +86,18 @@ def test_pattern_warns_of_panels_that_are_not_developable(tmp_path):
     options = "--unit cm --format dxf --json --max-strain 20"
     result = developable("pattern", PANTS, "-o", tmp_path / "out", *options.split(" "))
     assert result.exit_code == 0, result.output
-    strain, mismatch = json.loads(result.output)["notes"]
+    printed = json.loads(result.output)
+    strain, mismatch, ease = printed["notes"]
     assert re.match(r"Laid flat, edges change by up to 1\d %, 1\.\d %", strain)
     assert "make the panels developable first" in strain
     assert re.fullmatch(r"The sides of a seam differ by up to \d+(\.\d)? mm\.", mismatch)
+    said = re.findall(r"([A-G]) (\S+) % \((\S+) mm of (.+?) to (\S+) mm of (.+?)\)", ease)
+    assert len(said) > 2
+    for letter, per_cent, longer, _, shorter, _ in said:
+        assert float(per_cent) == pytest.approx(printed["seam_ease_percent"][letter], rel=0.06)
+        assert float(per_cent) == pytest.approx(
+            100 * (float(longer) / float(shorter) - 1), rel=0.06, abs=0.05
+        )
 
 
 def test_pattern_refuses_panels_that_are_strained_too_much_and_says_where(tmp_path):

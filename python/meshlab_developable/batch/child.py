@@ -26,6 +26,8 @@ from meshlab_developable.panels import panel_reports
 from meshlab_developable.parent import OUT_OF_MEMORY, die_with
 from meshlab_developable.writing import written_whole
 
+AXES = {"X axis": (1.0, 0.0, 0.0), "Y axis": (0.0, 1.0, 0.0), "Z axis": (0.0, 0.0, 1.0)}  # of a grain
+
 
 def main() -> None:
     """Works until there is no more work, or no parent."""
@@ -88,14 +90,14 @@ def _pattern_notes(request: dict[str, Any]) -> tuple[str, ...]:
         return ()
     from meshlab_developable.patterns import make_patterns
 
-    parts = {
-        key: request["parameters"][key]
-        for key in ("patches", "weld_distance")
-        if key in request["parameters"]
-    }
+    kept = ("patches", "weld_distance", "material", "allowed_stretch", "allowed_compression")
+    parts = {key: value for key, value in request["parameters"].items() if key in kept}
+    axis = AXES.get(request["parameters"].get("grain"))
+    if axis is not None:
+        parts["grain"] = axis
     target, folder = Path(request["target"]), Path(request["pattern"])
     try:
-        return make_patterns(target, folder=folder, name=folder.name, **request["patterns"], **parts).notes
+        return make_patterns(target, folder=folder, name=folder.name, **parts | request["patterns"]).notes
     except DevelopableError as error:
         return (f"no pattern: {error}",)
 

@@ -230,7 +230,9 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, cut: bool
         "max_edge_strain": made.flattening.report.max_edge_strain,
         "mean_edge_strain": made.flattening.report.mean_edge_strain,
     }
-    shared.print_result(as_json, str(output), values, input=mesh, files=made.files, notes=made.notes)
+    ease = {seam.letter: round(100 * seam.ease, 6) for seam in made.seams}
+    words = {"input": mesh, "files": made.files, "notes": made.notes, "seam_ease_percent": ease}
+    shared.print_result(as_json, str(output), values, **words)
     if not as_json:
         for line in (*map(str, made.files), *made.notes):
             click.echo(f"  {line}")

@@ -33,6 +33,11 @@ class MarkedSeam:
     lengths: tuple[float, float]  # of both sides, mm
     notches: tuple[tuple[int, float], ...]  # number of the edge along the seam, and share of that edge
 
+    @property
+    def ease(self) -> float:
+        """By how much one side is longer than the other, as a share of the shorter."""
+        return max(self.lengths) / min(self.lengths) - 1
+
 
 def mark_seams(seams: Sequence[Seam], pieces: Pieces, notch_spacing: float) -> tuple[MarkedSeam, ...]:
     """Letters for seams, and notches where the same point of the model is on both sides.

@@ -84,7 +84,8 @@ def _seam(marked: MarkedSeam, pieces: Pieces, names: Sequence[str]) -> dict[str,
                 ],
             }
         )
-    return {"letter": marked.letter, "closed": marked.seam.closed, "sides": sides}
+    ease = round(100 * marked.ease, 6)
+    return {"letter": marked.letter, "closed": marked.seam.closed, "ease_percent": ease, "sides": sides}
 
 
 def _edges(piece: Piece, vertices: IndexArray) -> tuple[int, list[int], bool]:

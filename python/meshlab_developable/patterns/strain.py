@@ -31,13 +31,18 @@ def require_little_strain(flat: FlatteningResult, names: Sequence[str], max_stra
     )
 
 
-def strain_notes(flat: FlatteningResult, millimetres: float) -> list[str]:
-    """What a user should know of changed lengths. millimetres: the unit of the mesh."""
+def strain_notes(flat: FlatteningResult, millimetres: float, borne: float = 0.0) -> list[str]:
+    """What a user should know of changed lengths.
+
+    millimetres: the unit of the mesh. borne: by how much the material lets edges change, per cent.
+    """
     report, notes = flat.report, []
     if report.max_edge_strain > NOTABLE_STRAIN:
+        within = 100 * report.max_edge_strain <= borne
         notes.append(
             f"Laid flat, edges change by up to {in_per_cent(report.max_edge_strain)}, "
-            f"{in_per_cent(report.mean_edge_strain)} on average: make the panels developable first."
+            f"{in_per_cent(report.mean_edge_strain)} on average"
+            + (", which the material bears." if within else ": make the panels developable first.")
         )
     mismatch = report.max_seam_mismatch * millimetres
     if mismatch > NOTABLE_MISMATCH:

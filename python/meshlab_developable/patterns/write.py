@@ -18,6 +18,7 @@ from meshlab_developable.flattening import FlatteningResult, flatten
 from meshlab_developable.mesh_sets import Source
 from meshlab_developable.patterns.drawing import Drawing, Motion, Quantity, print_check
 from meshlab_developable.patterns.dxf import write_dxf
+from meshlab_developable.patterns.ease import ease_notes
 from meshlab_developable.patterns.internal_lines import trace_lines
 from meshlab_developable.patterns.layout import read_layout
 from meshlab_developable.patterns.marks import MarkedSeam, draw_piece, mark_seams
@@ -85,19 +86,26 @@ def make_patterns(
     flat = flatten(vertices, faces, **parameters)
     wide = wide_overlaps(flat, options.millimetres)
     if not wide or parameters.get("only_selected") is not None:
-        return write_patterns(flat, Path(folder), name, options)
+        return write_patterns(flat, Path(folder), name, options, borne)
     labels = split_labels(flat, set(wide))
     seams = {key: value for key, value in parameters.items() if key not in ("patches", "texture_coordinates")}
     parts = flatten(vertices, faces, **seams | {"face_labels": labels})
     options, notes = split_options(flat, parts, wide, options)
-    made = write_patterns(parts, Path(folder), name, options)
+    made = write_patterns(parts, Path(folder), name, options, borne)
     return dataclasses.replace(made, notes=(*notes, *made.notes))
 
 
 def write_patterns(
-    flat: FlatteningResult, folder: Path, name: str = "pattern", options: PatternOptions | None = None
+    flat: FlatteningResult,
+    folder: Path,
+    name: str = "pattern",
+    options: PatternOptions | None = None,
+    borne: float = 0.0,
 ) -> PatternFiles:
-    """Write pieces that are flat already; see `make_patterns`."""
+    """Write pieces that are flat already; see `make_patterns`.
+
+    borne: by how much the material lets edges change, per cent.
+    """
     options = options or PatternOptions()
     if not name or name != Path(name).name:
         raise InvalidParameterError(f"name is {name!r}, but must be that of a file, without folders")
@@ -121,7 +129,8 @@ def write_patterns(
         notes=(
             *pieces.notes,
             *layout_notes,
-            *strain_notes(flat, options.millimetres),
+            *strain_notes(flat, options.millimetres, borne),
+            *ease_notes(seams, [piece.name for piece in pieces.pieces]),
             *_name_notes(pieces, options),
         ),
         flattening=flat,

@@ -103,6 +103,26 @@ TEST(BoundedStrain, WarpAndWeftHaveBoundsOfTheirOwn) {
 	}
 }
 
+TEST(BoundedStrain, DirectedBoundsAreKeptWhicheverWayTheGrainRuns) {
+	// Nothing here is symmetric, so that every strain would like to turn the pattern against its grain.
+	const PatchAssembly assembly = assembled(grid(13, 9, [](double u, double v) {
+		return Eigen::Vector3d(1.4 * u + 0.2 * v, v, 0.4 * std::exp(-9 * (u - 0.4) * (u - 0.4) - 12 * v * v));
+	}));
+	BoundedStrainOptions options;
+	options.bounds.directed = true;
+	options.bounds.warp = {0.003, 0.003};
+	options.bounds.weft = {0.03, 0.03};
+	options.bounds.bias = {0.01, 0.01};
+	for (const Grain grain : {Grain::LongestSeam, Grain::XAxis, Grain::YAxis}) {
+		options.grain = grain;
+		Positions positions = assembly.originalPositions;
+		const BoundedStrainReport report = boundedStrain(assembly, positions, options);
+		EXPECT_EQ(report.status, Status::Converged) << static_cast<int>(grain);
+		EXPECT_LT(report.iterations, 60) << static_cast<int>(grain);
+		EXPECT_GT(distance(assembly, positions), 1e-4);
+	}
+}
+
 TEST(BoundedStrain, MovesLessTheMoreIsAllowedAndNeverFartherThanToADevelopableShape) {
 	const PatchAssembly assembly = assembled(jitteredGrid(17, 17, sphereCap(1)));
 	Positions developable = assembly.originalPositions;

@@ -15,31 +15,48 @@ constexpr double slow = 0.9;             // decrease of φ that a step must prom
 constexpr double settledDecrease = 0.02; // of φ, and of the distance: less means that the nearest is found
 constexpr double settledDistance = 0.005;
 constexpr int patience = 8; // steps that were no good
-// Where bounds can be kept, violations fall nearly as stiffness grows; else they come to an end.
-constexpr std::size_t hopelessHardenings = 4;
-constexpr double hopelessShare = 0.7; // of the violation so many hardenings, 256 times the stiffness, before
 
-bool hopeless(const std::vector<double>& violations) {
-	return violations.size() > hopelessHardenings &&
-		   violations.back() > hopelessShare * violations[violations.size() - 1 - hopelessHardenings];
+/// The edge of the bending bound sharpens with those of strains, of which it is a multiple.
+double bendingWidth(const RoundedPenalty& edge) {
+	constexpr double ofStrain = 10, sharpest = 0.01;
+	return std::max(ofStrain * edge.width, sharpest);
+}
+
+/// Of every patch, where bounds differ with the direction.
+HeldGrain heldGrain(const PatchAssembly& assembly, const FlatPatterns& patterns,
+					const StrainedTriangles& triangles, const Positions& start,
+					const BoundedStrainOptions& options) {
+	if (!options.bounds.directed)
+		return {};
+	std::vector<HeldGrain::Piece> pieces;
+	pieces.reserve(assembly.patches.size());
+	for (int piece = 0; piece < assembly.patchCount(); ++piece)
+		pieces.push_back({trianglesOfPiece(triangles, assembly, piece), patterns.pieces[piece].longestSide});
+	return HeldGrain(std::move(pieces), options.grain, start, patterns.positions);
 }
 
 } // namespace
 
 BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
-					   const BoundedStrainOptions& options, double farthest, double firstStiffness,
-					   const Progress& progress)
-	: assembly_(assembly), patterns_(patterns), options_(options), progress_(progress),
-	  firstStiffness_(firstStiffness), nearness_(nearness(assembly, options.smoothness, options.fairness)),
-	  bound_(assembly, farthest),
+					   const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
+					   double firstStiffness, const Progress& progress)
+	: options_(options), progress_(progress), firstStiffness_(firstStiffness),
+	  nearness_(nearness(assembly, options.smoothness, options.fairness)), bound_(assembly, farthest),
+	  bending_(assembly, bending),
 	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
-	  steps_(assembly, nearness_, bound_, penalty_), unknowns_{start, patterns.positions} {
+	  grain_(heldGrain(assembly, patterns, penalty_.triangles(), start, options)),
+	  steps_(assembly, nearness_, bound_, bending_, penalty_, grain_), unknowns_{start, patterns.positions} {
 	penalty_.watchBorder(patterns.positions);
+	if (!options.bounds.directed)
+		return;
+	std::vector<double> ofTriangles;
+	for (const int patch : assembly.patchOfTriangle)
+		ofTriangles.push_back(grain_.angles()[std::size_t(patch)]);
+	penalty_.setGrain(std::move(ofTriangles));
 }
 
 BoundedEnding BoundedRun::run() {
 	Hardening hardening(penalty_, firstStiffness_);
-	takeGrain();
 	const double startViolation = violation();
 	double distance = 0;
 	std::vector<double> violations; // before each hardening
@@ -49,7 +66,7 @@ BoundedEnding BoundedRun::run() {
 		if (!mayGoOn(startViolation))
 			return BoundedEnding::Stopped;
 		++iterations_;
-		takeGrain();
+		bending_.harden(bendingWidth(penalty_.edge()));
 		const double decrease = steps_.step(unknowns_);
 		if (!steps_.solvable())
 			return BoundedEnding::Stuck;
@@ -74,12 +91,6 @@ BoundedEnding BoundedRun::run() {
 
 double BoundedRun::violation() const {
 	return penalty_.greatestViolation(unknowns_.shape, unknowns_.pattern);
-}
-
-void BoundedRun::takeGrain() {
-	if (options_.bounds.directed)
-		penalty_.setGrain(
-			grainOfTriangles(assembly_, unknowns_.shape, patterns_, penalty_.triangles(), unknowns_.pattern));
 }
 
 bool BoundedRun::mayGoOn(double startViolation) const {

@@ -15,8 +15,8 @@ public:
 	/// \param farthest        how far places may go, length; positive
 	/// \param firstStiffness  κ to begin with, see Hardening
 	BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
-			   const BoundedStrainOptions& options, double farthest, double firstStiffness,
-			   const Progress& progress);
+			   const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
+			   double firstStiffness, const Progress& progress);
 
 	BoundedEnding run();
 
@@ -25,17 +25,16 @@ public:
 
 private:
 	double violation() const;
-	void takeGrain();
 	bool mayGoOn(double startViolation) const;
 
-	const PatchAssembly& assembly_;
-	const FlatPatterns& patterns_;
 	const BoundedStrainOptions& options_;
 	const Progress& progress_;
 	const double firstStiffness_;
 	const Nearness nearness_;
 	const DisplacementBound bound_;
+	BendingBound bending_;
 	StrainPenalty penalty_;
+	HeldGrain grain_;
 	ShapeAndPatternSteps steps_;
 	ShapeAndPattern unknowns_;
 	int iterations_ = 0;

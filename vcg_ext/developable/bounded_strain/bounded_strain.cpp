@@ -22,6 +22,8 @@ void requireValid(const BoundedStrainOptions& options) {
 	requireOption(options.fairness >= 0 && options.fairness <= 1, "The fairness must be between 0 and 1.");
 	requireOption(std::isfinite(options.maxDisplacement), "The largest displacement must be a number.");
 	requireOption(options.maxIterations >= 0, "The limit of iterations must not be negative.");
+	requireOption(options.leastRadius >= 0 && std::isfinite(options.leastRadius),
+				  "The smallest radius must be a length, 0 or more.");
 	requireOption(options.tolerance > 0, "The tolerance of strains must be greater than 0.");
 	requireOption(options.threads >= 0, "The number of threads must not be negative.");
 }

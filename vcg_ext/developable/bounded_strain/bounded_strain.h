@@ -15,6 +15,9 @@ struct BoundedStrainOptions {
 	double smoothness = 3e-6;         ///< as in ConstrainedNewtonOptions; so are the next two
 	double fairness = 0;
 	double maxDisplacement = -1;
+	/// The smallest radius that places are to be bent to, length; 0: any. The shape stays above it where
+	/// strains within the bounds let it.
+	double leastRadius = 0;
 	int maxIterations = 200;  ///< steps, each with one linear system
 	double tolerance = 5e-5;  ///< by how much a strain may be beyond its bound
 	bool searchBeyond = true; ///< for OptimizationReport::nearestDevelopable, where none was found within

@@ -27,9 +27,10 @@ double areaOf(const PatchAssembly& assembly) {
 } // namespace
 
 ShapeAndPatternSteps::ShapeAndPatternSteps(const PatchAssembly& assembly, const Nearness& nearness,
-										   const DisplacementBound& bound, const StrainPenalty& penalty)
-	: assembly_(assembly), nearness_(nearness), bound_(bound), penalty_(penalty), order_(assembly),
-	  area_(areaOf(assembly)) {}
+										   const DisplacementBound& bound, BendingBound& bending,
+										   const StrainPenalty& penalty, const HeldGrain& grain)
+	: assembly_(assembly), nearness_(nearness), bound_(bound), bending_(bending), penalty_(penalty),
+	  grain_(grain), order_(assembly), area_(areaOf(assembly)) {}
 
 double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
 	const Eigen::MatrixXd d = (shape - nearness_.aim).transpose();
@@ -38,10 +39,11 @@ double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
 
 double ShapeAndPatternSteps::value(const ShapeAndPattern& unknowns) const {
 	return squaredDistance(unknowns.shape) / (2 * area_) + bound_.value(penalty_.edge(), unknowns.shape) +
-		   penalty_.value(unknowns.shape, unknowns.pattern);
+		   bending_.value(unknowns.shape) + penalty_.value(unknowns.shape, unknowns.pattern);
 }
 
 double ShapeAndPatternSteps::step(ShapeAndPattern& unknowns) {
+	bending_.take(unknowns.shape);
 	Eigen::VectorXd gradient;
 	const Eigen::VectorXd whole = direction(unknowns, gradient);
 	if (!solvable_)
@@ -55,6 +57,7 @@ double ShapeAndPatternSteps::step(ShapeAndPattern& unknowns) {
 			unknowns.pattern + length * whole.tail(patternSize).reshaped(2, unknowns.pattern.cols())};
 		if (!std::isfinite(penalty_.value(next.shape, next.pattern)))
 			next.pattern = unknowns.pattern; // where the step flips triangles the pattern only settles
+		grain_.align(next.shape, next.pattern);
 		settle(next);
 		if (descendsEnough(before, slope, length, value(next)) && order_.holds(next.shape)) {
 			unknowns = std::move(next);
@@ -75,11 +78,18 @@ Eigen::VectorXd ShapeAndPatternSteps::direction(const ShapeAndPattern& unknowns,
 					120 * penalty_.triangles().count() + size);
 	addMetric(unknowns.shape, gradient, entries);
 	addBound(unknowns.shape, gradient, entries);
+	bending_.addDerivatives(unknowns.shape, gradient, entries);
 	for (int t = 0; t < penalty_.triangles().count(); ++t)
 		addElement(t, penalty_.element(t, unknowns.shape, unknowns.pattern), gradient, entries);
 	addBorder(unknowns.pattern, shapeSize, gradient, entries);
 	solvable_ = factorize(whole_, size, entries, shapeSize);
-	return solvable_ ? whole_.solve(Eigen::VectorXd(-gradient)) : gradient;
+	if (!solvable_)
+		return gradient;
+	Eigen::MatrixXd slopes = grain_.slopes(unknowns.shape, unknowns.pattern, true);
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		if (assembly_.placeFixed[place])
+			slopes.middleRows<3>(3 * place).setZero();
+	return heldDirection([&](const Eigen::VectorXd& v) { return whole_.solve(v); }, gradient, slopes);
 }
 
 void ShapeAndPatternSteps::addMetric(const Positions& shape, Eigen::VectorXd& gradient,
@@ -180,12 +190,14 @@ bool ShapeAndPatternSteps::settleOnce(ShapeAndPattern& unknowns, double& value) 
 	addBorder(unknowns.pattern, 0, gradient, entries);
 	if (!factorize(pattern_, size, entries, 0))
 		return false;
-	const Eigen::VectorXd direction = pattern_.solve(Eigen::VectorXd(-gradient));
+	const Eigen::VectorXd direction =
+		heldDirection([&](const Eigen::VectorXd& v) { return pattern_.solve(v); }, gradient,
+					  grain_.slopes(unknowns.shape, unknowns.pattern, false));
 	const double slope = gradient.dot(direction);
 	double length = 1;
 	for (int trial = 0; trial < mostTrials; ++trial, length /= 2) {
-		const Eigen::Matrix2Xd next =
-			unknowns.pattern + length * direction.reshaped(2, unknowns.pattern.cols());
+		Eigen::Matrix2Xd next = unknowns.pattern + length * direction.reshaped(2, unknowns.pattern.cols());
+		grain_.align(unknowns.shape, next);
 		const double nextValue = penalty_.value(unknowns.shape, next);
 		if (!descendsEnough(value, slope, length, nextValue))
 			continue;

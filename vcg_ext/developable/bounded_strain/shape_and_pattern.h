@@ -2,8 +2,10 @@
 // shape_and_pattern.h: Newton steps that move a shape and its pattern together.
 #pragma once
 
+#include "bending_bound.h"
 #include "displacement_bound.h"
 
+#include "developable/flatten/flatten.h"
 #include "developable/linear/linear.h"
 #include "developable/material/material.h"
 #include "developable/newton/constrained_newton.h"
@@ -16,13 +18,16 @@ struct ShapeAndPattern {
 	Eigen::Matrix2Xd pattern; ///< 2 x vertices of the patterns
 };
 
-/// Steps that lower φ = ½‖x − x*‖²_W / A + Ψ + Σ m p(|d| / r − 1), A being the object's area, x* what the
-/// shape is to be near, Ψ the cost of strain, and the sum that of moving too far. The pattern
-/// turns far for small strains, where linear steps go wrong; so after each trial step it settles by itself.
+/// Steps that lower φ = ½‖x − x*‖²_W / A + Ψ + Σ m p(|d| / r − 1) + what a BendingBound says, A being the
+/// object's area, x* what the shape is to be near, Ψ the cost of strain, and the sum that of moving too far.
+/// The pattern turns far for small strains, where linear steps go wrong; so after each trial step it settles
+/// by itself.
 class ShapeAndPatternSteps {
 public:
+	/// \param grain  against which no piece turns
 	ShapeAndPatternSteps(const PatchAssembly& assembly, const Nearness& nearness,
-						 const DisplacementBound& bound, const StrainPenalty& penalty);
+						 const DisplacementBound& bound, BendingBound& bending, const StrainPenalty& penalty,
+						 const HeldGrain& grain);
 
 	/// \return the decrease of φ that the quadratic model promised, as a share; 0 where no step was any good
 	double step(ShapeAndPattern& unknowns);
@@ -53,7 +58,9 @@ private:
 	const PatchAssembly& assembly_;
 	const Nearness& nearness_;
 	const DisplacementBound& bound_;
+	BendingBound& bending_;
 	const StrainPenalty& penalty_;
+	const HeldGrain& grain_;
 	const TriangleOrder order_;
 	const double area_;
 	SparseCholesky whole_, pattern_;

@@ -2,6 +2,7 @@
 // bounded_layout.cpp: Newton steps on springs in the plane, with bounds that harden.
 #include "bounded_layout.h"
 
+#include "held_grain.h"
 #include "plane_springs.h"
 
 #include "developable/descent/descent.h"
@@ -26,20 +27,22 @@ class BoundedLayout {
 public:
 	BoundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
 				  Grain grain, const std::array<int, 2>& longestSide)
-		: panel_(panel), grain_(grain), longestSide_(longestSide), springs_(panel),
-		  penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
+		: panel_(panel), springs_(panel), penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
 		  hessian_(springs_.hessianPattern()), positions_(start) {
 		penalty_.watchBorder(start);
-		takeGrain();
+		if (!bounds.directed)
+			return;
+		grain_ = HeldGrain({{penalty_.triangles(), longestSide}}, grain, panel.positions, start);
+		penalty_.setGrain(std::vector<double>(panel.triangleCount(), grain_.angles().front()));
 	}
 
-	PlanePositions solve() {
+	PlanePositions solve(bool onlyWithin) {
 		if (violation() <= shareOfTolerance * patternTolerance)
 			return positions_;
 		Hardening hardening(penalty_);
 		int idle = 0, steps = 0; // no good in all, and with the same stiffness
+		std::vector<double> violations;
 		for (int i = 0; i < mostSteps; ++i) {
-			takeGrain();
 			const double decrease = step();
 			if (decrease < settled && violation() <= shareOfTolerance * patternTolerance)
 				break;
@@ -47,8 +50,12 @@ public:
 				if (++idle == patience)
 					break;
 				hardening.soften();
+				violations.clear();
 				steps = 0;
 			} else if (decrease < slow || ++steps == mostStepsAtOnce) {
+				violations.push_back(violation());
+				if (onlyWithin && hopeless(violations))
+					break;
 				if (!hardening.harden() && decrease < least)
 					break;
 				steps = 0;
@@ -63,12 +70,6 @@ private:
 	static constexpr double settled = 1e-3; // within the bounds, less than that is not worth a step
 	static constexpr double least = 1e-9;   // nor anywhere
 	static constexpr double shareOfTolerance = 0.3;
-
-	void takeGrain() {
-		const double angle =
-			grainDirection(penalty_.triangles(), panel_.positions, positions_, grain_, longestSide_);
-		penalty_.setGrain(std::vector<double>(panel_.triangleCount(), angle));
-	}
 
 	double violation() const { return penalty_.greatestViolation(panel_.positions, positions_); }
 
@@ -86,12 +87,16 @@ private:
 		addBorder(gradient);
 		const Eigen::VectorXd downward = -gradient.reshaped();
 		const Eigen::VectorXd direction =
-			factorization_.factorize(hessian_.matrix()) ? factorization_.solve(downward) : downward;
+			factorization_.factorize(hessian_.matrix())
+				? heldDirection([&](const Eigen::VectorXd& v) { return factorization_.solve(v); }, -downward,
+								grain_.slopes(panel_.positions, positions_, false))
+				: downward;
 		const PlanePositions move = direction.reshaped(2, positions_.cols());
 		const double slope = -downward.dot(direction), before = energy(positions_);
 		double length = std::min(1.0, 0.9 * springs_.longestStep(positions_, move));
 		for (int trial = 0; trial < 30; ++trial, length /= 2) {
-			const PlanePositions next = positions_ + length * move;
+			PlanePositions next = positions_ + length * move;
+			grain_.align(panel_.positions, next);
 			if (!descendsEnough(before, slope, length, energy(next)))
 				continue;
 			positions_ = next;
@@ -125,10 +130,9 @@ private:
 	}
 
 	const PanelMesh& panel_;
-	const Grain grain_;
-	const std::array<int, 2> longestSide_;
 	PlaneSprings springs_;
 	StrainPenalty penalty_;
+	HeldGrain grain_;
 	const double scale_;
 	PlaneHessian hessian_;
 	SparseCholesky factorization_; // CG on an old factor would not do while bounds harden
@@ -138,10 +142,10 @@ private:
 } // namespace
 
 PlanePositions boundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
-							 Grain grain, const std::array<int, 2>& longestSide) {
+							 Grain grain, const std::array<int, 2>& longestSide, bool onlyWithin) {
 	if (countFlipped(panel.triangles, start) > 0)
 		return start;
-	return BoundedLayout(panel, start, bounds, grain, longestSide).solve();
+	return BoundedLayout(panel, start, bounds, grain, longestSide).solve(onlyWithin);
 }
 
 } // namespace developable::detail

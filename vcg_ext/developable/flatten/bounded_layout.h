@@ -10,7 +10,8 @@ namespace developable::detail {
 /// From a layout without flipped triangles to the one of least Σ (flattened length − length)² among those
 /// within the bounds, or, where there is none, to one that exceeds them little.
 /// \param longestSide  vertices of the panel; see grainDirection
+/// \param onlyWithin   whether to give up where no layout within the bounds can be hoped for
 PlanePositions boundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
-							 Grain grain, const std::array<int, 2>& longestSide);
+							 Grain grain, const std::array<int, 2>& longestSide, bool onlyWithin);
 
 } // namespace developable::detail

@@ -5,6 +5,7 @@
 #include "developable/material/material.h"
 #include "developable/mesh/mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -20,6 +21,8 @@ struct Seam {
 	std::array<double, 2> length = {0, 0}; ///< in the plane
 
 	double mismatch() const { return std::abs(length[0] - length[1]); }
+	/// How much the longer side has to be eased in, as a share of the shorter.
+	double ease() const { return mismatch() / std::min(length[0], length[1]); }
 };
 
 /// What flattening did to one patch.

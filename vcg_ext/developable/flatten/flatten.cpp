@@ -22,7 +22,7 @@ FlatPatterns flattenPatches(const PatchAssembly& assembly, const Positions& posi
 		none.report.stopped = true;
 		return none;
 	}
-	maker.keepWithin(options.bounds, options.grain);
+	maker.keepWithin(options.bounds, options.grain, options.onlyWithin);
 	return maker.makePatterns(options.gap);
 }
 

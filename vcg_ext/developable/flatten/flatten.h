@@ -8,6 +8,7 @@
 
 #include "flat_patterns.h"
 #include "grain_directions.h"
+#include "held_grain.h"
 #include "pattern_measures.h"
 #include "seams.h"
 
@@ -22,6 +23,9 @@ struct FlattenOptions {
 	/// lengths as nearly as they can, whatever strain that leaves.
 	StrainBounds bounds = {};
 	Grain grain = Grain::LongestSeam; ///< of directed bounds
+	/// Only whether there is a layout within the bounds: where none can be hoped for, the nearest to them is
+	/// not looked for.
+	bool onlyWithin = false;
 };
 
 /// Lays every patch flat: from the minimum of Σ (flattened length − length)² over its edges (Eq. 7) without

@@ -29,17 +29,17 @@ Eigen::Vector2d axisInPlane(const StrainedTriangles& triangles, const Positions&
 	return sum;
 }
 
-/// The triangles of one piece.
-StrainedTriangles ofPiece(const StrainedTriangles& all, const PatchAssembly& assembly, int piece) {
-	std::vector<int> kept;
-	for (int t = 0; t < all.count(); ++t)
-		if (assembly.patchOfTriangle[t] == piece)
-			kept.push_back(t);
-	StrainedTriangles triangles;
-	triangles.shaped = all.shaped(Eigen::all, kept);
-	triangles.flat = all.flat(Eigen::all, kept);
-	triangles.weights = all.weights(kept);
-	return triangles;
+/// The grain of every triangle, rad.
+std::vector<double> grainOfTriangles(const PatchAssembly& assembly, const Positions& model,
+									 const FlatPatterns& patterns, const StrainedTriangles& triangles) {
+	std::vector<double> ofPieces, result(triangles.count());
+	for (int piece = 0; piece < assembly.patchCount(); ++piece)
+		ofPieces.push_back(grainDirection(trianglesOfPiece(triangles, assembly, piece), model,
+										  patterns.positions, patterns.grain,
+										  patterns.pieces[piece].longestSide));
+	for (int t = 0; t < triangles.count(); ++t)
+		result[t] = ofPieces[assembly.patchOfTriangle[t]];
+	return result;
 }
 
 } // namespace
@@ -78,7 +78,7 @@ StrainedTriangles strainedTriangles(const PatchAssembly& assembly, const Positio
 	}
 	triangles.weights /= triangles.weights.sum();
 	if (patterns.bounds.directed)
-		triangles.grain = grainOfTriangles(assembly, model, patterns, triangles, patterns.positions);
+		triangles.grain = grainOfTriangles(assembly, model, patterns, triangles);
 	return triangles;
 }
 
@@ -90,16 +90,16 @@ Eigen::VectorXd beyondBounds(const PatchAssembly& assembly, const Positions& mod
 	return StrainPenalty(triangles, patterns.bounds, 0).violations(model, patterns.positions);
 }
 
-std::vector<double> grainOfTriangles(const PatchAssembly& assembly, const Positions& model,
-									 const FlatPatterns& patterns, const StrainedTriangles& triangles,
-									 const Eigen::Matrix2Xd& flat) {
-	std::vector<double> ofPieces, result(triangles.count());
-	for (int piece = 0; piece < assembly.patchCount(); ++piece)
-		ofPieces.push_back(grainDirection(ofPiece(triangles, assembly, piece), model, flat, patterns.grain,
-										  patterns.pieces[piece].longestSide));
-	for (int t = 0; t < triangles.count(); ++t)
-		result[t] = ofPieces[assembly.patchOfTriangle[t]];
-	return result;
+StrainedTriangles trianglesOfPiece(const StrainedTriangles& all, const PatchAssembly& assembly, int piece) {
+	std::vector<int> kept;
+	for (int t = 0; t < all.count(); ++t)
+		if (assembly.patchOfTriangle[t] == piece)
+			kept.push_back(t);
+	StrainedTriangles triangles;
+	triangles.shaped = all.shaped(Eigen::all, kept);
+	triangles.flat = all.flat(Eigen::all, kept);
+	triangles.weights = all.weights(kept);
+	return triangles;
 }
 
 } // namespace developable

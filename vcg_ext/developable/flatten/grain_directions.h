@@ -29,11 +29,7 @@ StrainedTriangles strainedTriangles(const PatchAssembly& assembly, const Positio
 Eigen::VectorXd beyondBounds(const PatchAssembly& assembly, const Positions& model,
 							 const FlatPatterns& patterns);
 
-/// The grain of every triangle, rad.
-/// \param triangles  of patterns as strainedTriangles makes them
-/// \param flat       the patterns' vertices, in place of where they were
-std::vector<double> grainOfTriangles(const PatchAssembly& assembly, const Positions& model,
-									 const FlatPatterns& patterns, const StrainedTriangles& triangles,
-									 const Eigen::Matrix2Xd& flat);
+/// The triangles of one piece.
+StrainedTriangles trianglesOfPiece(const StrainedTriangles& all, const PatchAssembly& assembly, int piece);
 
 } // namespace developable

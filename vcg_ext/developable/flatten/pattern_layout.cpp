@@ -31,14 +31,17 @@ public:
 	explicit LongestSides(int pieceCount) : sides_(pieceCount) {}
 
 	void offer(int piece, const BoundarySide& side) {
-		// A side that comes back to where it began has no direction.
-		if (side.start != side.end && side.length > sides_[piece].length)
+		// A side that comes back to where it began has no direction. Of sides that are alike the first
+		// counts, so that strain does not make another one the longest.
+		if (side.start != side.end && side.length > (1 + alike) * sides_[piece].length)
 			sides_[piece] = side;
 	}
 
 	const std::vector<BoundarySide>& sides() const { return sides_; }
 
 private:
+	static constexpr double alike = 0.02; ///< share of the length
+
 	std::vector<BoundarySide> sides_;
 };
 

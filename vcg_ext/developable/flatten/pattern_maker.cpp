@@ -50,7 +50,7 @@ bool PatternMaker::flattenPanels(int iterations, bool leastSquares, const Progre
 	return true;
 }
 
-void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain) {
+void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin) {
 	patterns_.bounds = bounds;
 	patterns_.grain = grain;
 	if (!bounds.any())
@@ -59,7 +59,7 @@ void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain) {
 	const auto sides = longestSides(assembly_, patterns_, outerLoops());
 	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
 		flat_[piece].positions = boundedLayout(flat_[piece].mesh, flat_[piece].positions, bounds, grain,
-											   panelVertices(piece, sides[piece]));
+											   panelVertices(piece, sides[piece]), onlyWithin);
 }
 
 std::array<int, 2> PatternMaker::panelVertices(int piece, const std::array<int, 2>& patternVertices) const {

@@ -15,6 +15,7 @@
 #include "patch_measures.h"
 #include "principal_curvatures.h"
 #include "roughness.h"
+#include "second_derivatives.h"
 #include "spatial_order.h"
 #include "surface_distance.h"
 #include "triangle_intersection.h"

@@ -7,8 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace developable {
+
+/// Whether bounds can't be kept. Where they can, violations fall nearly as the stiffness grows; else they
+/// come to an end. \param violations  before each hardening, the greatest of them
+inline bool hopeless(const std::vector<double>& violations) {
+	constexpr std::size_t hardenings = 4; // 256 times the stiffness
+	constexpr double share = 0.7;         // of the violation so many before
+	return violations.size() > hardenings &&
+		   violations.back() > share * violations[violations.size() - 1 - hardenings];
+}
 
 /// The row of stiffnesses κ, each with the width δ ~ κ^−0.6 of the bounds' edges: so that κ δ², what the
 /// rounding costs, falls too.

@@ -30,6 +30,7 @@ void bringWithinBounds(const PatchAssembly& assembly, Positions& positions, cons
 	BoundedStrainOptions options;
 	options.bounds = material.bounds;
 	options.grain = material.grain;
+	options.smoothness = material.smoothness;
 	options.maxDisplacement = maxDisplacement;
 	options.searchBeyond = false;
 	if (brief)

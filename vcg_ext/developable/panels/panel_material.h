@@ -12,6 +12,7 @@ namespace developable {
 struct PanelMaterial {
 	StrainBounds bounds = {};
 	Grain grain = Grain::LongestSeam; ///< of directed bounds
+	double smoothness = 3e-6;         ///< as in BoundedStrainOptions
 };
 
 namespace detail {
