@@ -45,7 +45,9 @@ Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& step
 	if (found.farthest <= preferred || found.farthest > problem.tuning().preferredReach * preferred)
 		return Ending::Reached;
 	const Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
-	const auto meanMove = [&](const Shape& shape) { return problem.displacement(shape).colwise().norm().mean(); };
+	const auto meanMove = [&](const Shape& shape) {
+		return problem.displacement(shape).colwise().norm().mean();
+	};
 	if (ending == Ending::Stopped)
 		return ending;
 	if (ending != Ending::Reached ||
