@@ -139,7 +139,7 @@ Dart cutDart(CutSurface& surface, int panel, const Eigen::Vector3d& at, double s
 	int copy = fromPoint ? deepestWithin(graph, paths, depths, length) : point;
 	if (copy < 0 || paths.length[copy] == infinite)
 		return {};
-	const Dart dart{paths.length[copy], surface.positions().col(surface.assembly().placeOfCopy[copy])};
+	Dart dart{paths.length[copy], surface.positions().col(surface.assembly().placeOfCopy[copy])};
 	while (paths.halfEdge[copy] >= 0) {
 		surface.setCut(paths.halfEdge[copy], true);
 		copy = graph.otherEnd(paths.halfEdge[copy], copy);

@@ -71,6 +71,7 @@ private:
 	/// Another dart in each that does not hold, again and again.
 	void relieve(std::vector<Union>& unions) {
 		std::vector<Union*> open;
+		open.reserve(unions.size());
 		for (Union& joined : unions)
 			open.push_back(&joined);
 		double length = firstLength;
@@ -87,6 +88,7 @@ private:
 
 	void test(const std::vector<Union*>& unions) {
 		std::vector<PanelTrial> trials;
+		trials.reserve(unions.size());
 		for (const Union* joined : unions) {
 			const std::vector<int>& triangles = joined->surface.trianglesOf(joined->panel);
 			trials.push_back({joined->surface.meshOf(triangles),
