@@ -244,22 +244,27 @@ bool PanelPlan::takeBackLastJoin(CutSurface& surface, int panel) {
 /// Panels that just fail to hold get darts where they do. A dart that makes it worse is taken out again, and
 /// a longer one is tried.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
-	constexpr int rounds = 8;
+	constexpr int rounds = 8, patience = 2;              // rounds that make it no better
 	constexpr double firstLength = 0.15, increase = 1.6; // in roots of the area
+	constexpr double better = 0.95;                      // share of the excess that a round may leave
+	int idle = 0;
 	double length = firstLength;
 	if (!options_.darts || !options_.splitTriangles)
 		return sewn;
-	for (int round = 0; round < rounds && !tests_->stopped() && worstOf(sewn) >= 0; ++round) {
+	for (int round = 0; round < rounds && idle < patience && !tests_->stopped() && worstOf(sewn) >= 0;
+		 ++round) {
 		const CutSurface before = planned_.surface;
 		const std::vector<Eigen::Vector3d> tips = addDarts(sewn, length);
 		if (tips.empty())
 			break;
 		SewnPanels next = sewTogether(true);
-		if (!tests_->stopped() && totalExcess(next) < totalExcess(sewn)) {
+		if (!tests_->stopped() && totalExcess(next) < better * totalExcess(sewn)) {
 			dartTips_.insert(dartTips_.end(), tips.begin(), tips.end());
 			sewn = std::move(next);
 			length = firstLength;
+			idle = 0;
 		} else {
+			++idle;
 			planned_.surface = before;
 			length *= increase;
 		}
