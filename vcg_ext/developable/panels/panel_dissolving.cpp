@@ -11,7 +11,8 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double shorter = 0.98; ///< share of the seams' length that is worth while
+constexpr double workBesideJoining = 1.5; ///< of the work that was done before
+constexpr double shorter = 0.98;          ///< share of the seams' length that is worth while
 
 double seamLength(const CutSurface& surface) {
 	double sum = 0;
@@ -23,7 +24,8 @@ double seamLength(const CutSurface& surface) {
 class Dissolving {
 public:
 	Dissolving(CutSurface& surface, const std::vector<int>& clusters, PanelTests& tests, JoinHistory& history)
-		: surface_(surface), clusters_(clusters), tests_(tests), history_(history) {}
+		: surface_(surface), clusters_(clusters), tests_(tests), history_(history),
+		  mostWork_(tests.workWith(workBesideJoining)) {}
 
 	void run() {
 		while (!tests_.stopped() && dissolveOne())
@@ -40,7 +42,7 @@ private:
 		std::stable_sort(panels.begin(), panels.end(),
 						 [&](int a, int b) { return surface_.area(a) < surface_.area(b); });
 		for (const int panel : panels) {
-			if (tests_.stopped())
+			if (tests_.stopped() || tests_.work() > mostWork_)
 				return false;
 			if (known_.insert(surface_.trianglesOf(panel)).second && dissolve(panel))
 				return true;
@@ -85,6 +87,7 @@ private:
 	const std::vector<int>& clusters_;
 	PanelTests& tests_;
 	JoinHistory& history_;
+	const double mostWork_;
 	std::set<std::vector<int>> known_; // the triangles of panels that were tried
 };
 

@@ -180,15 +180,15 @@ SewnExcess PanelPlan::sewnExcess() {
 	return [this] { return totalExcess(sewTogether(true)); };
 }
 
-/// Divides what does not hold together, in two each time.
+/// Divides what does not hold together, and where darts do not help, in two each time.
 SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 40;
-	SewnPanels sewn = sewTogether(false);
+	SewnPanels sewn = relieved(sewTogether(false));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		const int worst = worstOf(sewn);
 		if (worst < 0 || planned_.surface.trianglesOf(worst).size() < 2 || !divideInTwo(worst))
 			break;
-		sewn = sewTogether(false);
+		sewn = relieved(sewTogether(false));
 	}
 	return sewn;
 }
@@ -244,7 +244,7 @@ bool PanelPlan::takeBackLastJoin(CutSurface& surface, int panel) {
 /// Panels that just fail to hold get darts where they do. A dart that makes it worse is taken out again, and
 /// a longer one is tried.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
-	constexpr int rounds = 8, patience = 2;              // rounds that make it no better
+	constexpr int rounds = 8, patience = 3;              // rounds that make it no better
 	constexpr double firstLength = 0.15, increase = 1.6; // in roots of the area
 	constexpr double better = 0.95;                      // share of the excess that a round may leave
 	int idle = 0;
@@ -254,7 +254,7 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	for (int round = 0; round < rounds && idle < patience && !tests_->stopped() && worstOf(sewn) >= 0;
 		 ++round) {
 		const CutSurface before = planned_.surface;
-		const std::vector<Eigen::Vector3d> tips = addDarts(sewn, length);
+		const std::vector<Eigen::Vector3d> tips = addDarts(sewn, length, idle > 0);
 		if (tips.empty())
 			break;
 		SewnPanels next = sewTogether(true);
@@ -272,11 +272,12 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	return sewn;
 }
 
-/// One in each panel that may hold with it. \return their tips
-std::vector<Eigen::Vector3d> PanelPlan::addDarts(const SewnPanels& sewn, double length) {
+/// One in each panel that may hold with it, or in the worst only. \return their tips
+std::vector<Eigen::Vector3d> PanelPlan::addDarts(const SewnPanels& sewn, double length, bool onlyWorst) {
 	std::vector<Eigen::Vector3d> tips;
+	const int worst = worstOf(sewn);
 	for (int panel = 0; panel < planned_.surface.panelCount(); ++panel) {
-		if (!wantsDart(sewn.panels[panel]))
+		if (!wantsDart(sewn.panels[panel]) || (onlyWorst && panel != worst))
 			continue;
 		const Dart dart = cutDart(planned_.surface, panel, sewn.panels[panel].worstPoint, length);
 		if (dart.length > 0)

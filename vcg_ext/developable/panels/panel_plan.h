@@ -34,7 +34,7 @@ private:
 	void joinUntilAllHold();
 	bool takeBackLastJoin(CutSurface& surface, int panel);
 	int panelBefore(const PlannedSurface& before, int panel) const;
-	std::vector<Eigen::Vector3d> addDarts(const SewnPanels& sewn, double length);
+	std::vector<Eigen::Vector3d> addDarts(const SewnPanels& sewn, double length, bool onlyWorst);
 	SewnPanels relieved(SewnPanels sewn);
 	SewnPanels smoothSeams();
 	Progress progressOfRest();

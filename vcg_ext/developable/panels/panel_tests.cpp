@@ -35,6 +35,7 @@ std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials
 			verdicts[i] = known->second;
 			continue;
 		}
+		work_ += trials[i].panel.triangleCount();
 		tasks.push_back({1, [&, i](const Progress& progress) {
 							 if (!stopped_)
 								 verdicts[i] =

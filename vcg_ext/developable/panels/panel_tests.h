@@ -5,6 +5,7 @@
 #include "cut_surface.h"
 #include "panel_test.h"
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 
@@ -35,11 +36,20 @@ public:
 	bool mayGoOn(double fractionDone, const std::string& message);
 	bool stopped() const { return stopped_; }
 
+	/// How much has been tested, in triangles: what time may be measured by and be the same on every run.
+	double work() const { return work_; }
+	/// What it may come to, when a stage may do so much beside what was done before; a little it may always
+	/// do.
+	double workWith(double share) const { return work_ + std::max(share * work_, smallWork); }
+
 private:
+	static constexpr double smallWork = 3e5; // seconds
+
 	const std::vector<double> maxDisplacement_;
 	const PanelMaterial material_;
 	const Progress progress_;
 	double relaxed_ = 1;
+	double work_ = 0;
 	std::map<std::pair<std::vector<double>, std::vector<int>>, PanelVerdict> known_; // by vertices, triangles
 	std::atomic<bool> stopped_{false};
 	double fractionDone_ = 0;

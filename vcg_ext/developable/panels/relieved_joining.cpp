@@ -16,6 +16,8 @@ constexpr double worthwhile = 0.7;      ///< of the seam that goes: darts of mor
 constexpr double firstLength = 0.15;    ///< of a dart, in roots of the area
 constexpr double lengthIncrease = 1.25; ///< from a dart to the next
 
+constexpr double workBesideJoining = 0.5; ///< of the work that was done before
+
 /// Two panels as one, with darts.
 struct Union {
 	SeamChain chain;
@@ -32,10 +34,11 @@ class RelievedJoining {
 public:
 	RelievedJoining(CutSurface& surface, PanelTests& tests, JoinHistory& history,
 					std::vector<Eigen::Vector3d>& tips)
-		: surface_(surface), tests_(tests), history_(history), tips_(tips) {}
+		: surface_(surface), tests_(tests), history_(history), tips_(tips),
+		  mostWork_(tests.workWith(workBesideJoining)) {}
 
 	void run() {
-		while (!tests_.stopped()) {
+		while (!tests_.stopped() && tests_.work() < mostWork_) {
 			std::vector<Union> unions = nextUnions();
 			if (unions.empty() || !tests_.mayGoOn(0.7, "trying panels with darts"))
 				return;
@@ -121,6 +124,7 @@ private:
 	PanelTests& tests_;
 	JoinHistory& history_;
 	std::vector<Eigen::Vector3d>& tips_;
+	const double mostWork_;
 	std::set<std::array<int, 3>> tried_;
 };
 
