@@ -34,9 +34,11 @@ void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history,
 				const std::function<bool(const SeamChain&)>& mayGo = {});
 
 /// Joins panels across whole seams where their union is a panel once it has darts that are shorter than the
-/// seam. \param tips  of the darts; new ones are added
+/// seam.
+/// \param tips  of the darts; new ones are added
+/// \param held  per triangle whether it is held: no dart runs between two of these; or empty
 void joinWithRelief(CutSurface& surface, PanelTests& tests, JoinHistory& history,
-					std::vector<Eigen::Vector3d>& tips);
+					std::vector<Eigen::Vector3d>& tips, const std::vector<char>& held = {});
 
 /// Where a whole seam can't go, a long part of it does, from one of its ends on; the rest stays as a dart.
 void joinWithDarts(CutSurface& surface, PanelTests& tests, const SewnExcess& excess);

@@ -183,6 +183,7 @@ SewnExcess PanelPlan::sewnExcess() {
 /// Divides what does not hold together, and where darts do not help, in two each time.
 SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 40;
+	reliefsLeft_ = mostReliefs;
 	SewnPanels sewn = relieved(sewTogether(false));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		const int worst = worstOf(sewn);
@@ -197,30 +198,45 @@ Progress PanelPlan::progressOfRest() {
 	return [this](double, const std::string&) { return tests_->mayGoOn(0.7, "sewing the panels together"); };
 }
 
-/// Panels that hold by themselves may not when they are sewn together with smooth seams: then the last join
-/// of the worst is taken back, and its halves may go to others.
+/// As few panels as can be, if these hold when they are sewn together, or soon do; else those that were
+/// joined greedily, which are more and hold sooner.
 void PanelPlan::joinUntilAllHold() {
-	constexpr int rounds = 12;
+	constexpr int roundsOfFew = 4, rounds = 12;
+	joinPanels(planned_.surface, *tests_, history_);
+	const PlannedSurface joined = planned_;
+	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
+	if (options_.darts && options_.splitTriangles)
+		joinWithRelief(planned_.surface, *tests_, history_, dartTips_, keptTriangles(planned_, options_));
+	const bool fewer = planned_.surface.usedPanelCount() < joined.surface.usedPanelCount();
+	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped())
+		return;
+	planned_ = joined;
+	dartTips_.clear();
+	sewUntilAllHold(rounds);
+}
+
+/// Panels that hold by themselves may not when they are sewn together with smooth seams: then the last join
+/// of the worst is taken back, and its halves may go to others. \return whether all hold
+bool PanelPlan::sewUntilAllHold(int rounds) {
+	reliefsLeft_ = mostReliefs;
 	for (int round = 1; !tests_->stopped(); ++round) {
-		joinPanels(planned_.surface, *tests_, history_);
-		if (round == 1)
-			dissolvePanels(planned_.surface, clusters_, *tests_, history_);
+		if (round > 1)
+			joinPanels(planned_.surface, *tests_, history_);
 		if (tests_->stopped() || seamChains(planned_.surface).empty())
-			return;
-		if (round == 1 && options_.darts && options_.splitTriangles)
-			joinWithRelief(planned_.surface, *tests_, history_, dartTips_);
+			return true;
 		const PlannedSurface joined = planned_;
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
-		const SewnPanels sewn = smoothSeams();
-		const int worst = worstOf(sewn);
-		if (worst < 0 || round == rounds || tests_->stopped())
-			return;
+		const int worst = worstOf(smoothSeams());
+		if (worst < 0)
+			return true;
 		PlannedSurface divided = joined;
-		if (!takeBackLastJoin(divided.surface, panelBefore(joined, worst)))
-			return;
+		if (round == rounds || tests_->stopped() ||
+			!takeBackLastJoin(divided.surface, panelBefore(joined, worst)))
+			return false;
 		planned_ = std::move(divided);
 		dartTips_ = dartTips;
 	}
+	return false;
 }
 
 /// The last that had two halves of a size to be seen. \return whether there was any
@@ -253,6 +269,8 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 		return sewn;
 	for (int round = 0; round < rounds && idle < patience && !tests_->stopped() && worstOf(sewn) >= 0;
 		 ++round) {
+		if (reliefsLeft_-- <= 0)
+			break;
 		const CutSurface before = planned_.surface;
 		const std::vector<Eigen::Vector3d> tips = addDarts(sewn, length, idle > 0);
 		if (tips.empty())
@@ -276,10 +294,11 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 std::vector<Eigen::Vector3d> PanelPlan::addDarts(const SewnPanels& sewn, double length, bool onlyWorst) {
 	std::vector<Eigen::Vector3d> tips;
 	const int worst = worstOf(sewn);
+	const std::vector<char> held = keptTriangles(planned_, options_);
 	for (int panel = 0; panel < planned_.surface.panelCount(); ++panel) {
 		if (!wantsDart(sewn.panels[panel]) || (onlyWorst && panel != worst))
 			continue;
-		const Dart dart = cutDart(planned_.surface, panel, sewn.panels[panel].worstPoint, length);
+		const Dart dart = cutDart(planned_.surface, panel, sewn.panels[panel].worstPoint, length, held);
 		if (dart.length > 0)
 			tips.push_back(dart.tip);
 	}

@@ -32,6 +32,7 @@ private:
 	SewnExcess sewnExcess();
 	SewnPanels divideUntilAllHold();
 	void joinUntilAllHold();
+	bool sewUntilAllHold(int rounds);
 	bool takeBackLastJoin(CutSurface& surface, int panel);
 	int panelBefore(const PlannedSurface& before, int panel) const;
 	std::vector<Eigen::Vector3d> addDarts(const SewnPanels& sewn, double length, bool onlyWorst);
@@ -44,6 +45,9 @@ private:
 	PlannedSurface planned_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
+	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help.
+	static constexpr int mostReliefs = 12;
+	int reliefsLeft_ = mostReliefs;
 	std::vector<Eigen::Vector3d> dartTips_;
 	JoinHistory history_;
 };

@@ -17,7 +17,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// The copies of a panel with the half edges between them that are not cut.
 class PanelGraph {
 public:
-	PanelGraph(const CutSurface& surface, int panel) : surface_(surface) {
+	PanelGraph(const CutSurface& surface, int panel, const std::vector<char>& held) : surface_(surface) {
 		const int copies = surface.assembly().copyCount();
 		inside_.assign(copies, 0);
 		std::vector<std::pair<int, int>> ends; // copy and half edge
@@ -26,6 +26,8 @@ public:
 				inside_[surface.startOf(h)] = 1;
 				if (surface.across(h) >= 0 && surface.across(h) > h)
 					continue; // once
+				if (surface.across(h) >= 0 && !held.empty() && held[t] && held[triangleOf(surface.across(h))])
+					continue;
 				if (surface.across(h) >= 0) {
 					ends.emplace_back(surface.startOf(h), h);
 					ends.emplace_back(surface.endOf(h), h);
@@ -126,10 +128,11 @@ int deepestWithin(const PanelGraph& graph, const PanelGraph::Paths& paths, const
 
 } // namespace
 
-Dart cutDart(CutSurface& surface, int panel, const Eigen::Vector3d& at, double share) {
+Dart cutDart(CutSurface& surface, int panel, const Eigen::Vector3d& at, double share,
+			 const std::vector<char>& held) {
 	const double length =
 		std::max(share * std::sqrt(surface.area(panel)), leastEdges * meanEdgeLength(surface.assembly()));
-	const PanelGraph graph(surface, panel);
+	const PanelGraph graph(surface, panel, held);
 	const int point = nearestCopy(surface, graph, at);
 	if (point < 0)
 		return {};

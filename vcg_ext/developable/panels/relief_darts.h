@@ -14,7 +14,9 @@ struct Dart {
 /// Cuts a dart into a panel: from its border, or a cut, to a point inside; where the point is on the border
 /// itself, from there inwards, away from the border as far as the length leads.
 /// \param at      a vertex of the panel is there, or nearly
+/// \param held    per triangle whether it is held: no dart runs between two of these; or empty
 /// \param share   of the root of the panel's area: the length of a dart that begins at the point
-Dart cutDart(CutSurface& surface, int panel, const Eigen::Vector3d& at, double share);
+Dart cutDart(CutSurface& surface, int panel, const Eigen::Vector3d& at, double share,
+			 const std::vector<char>& held);
 
 } // namespace developable::detail

@@ -33,8 +33,8 @@ struct Union {
 class RelievedJoining {
 public:
 	RelievedJoining(CutSurface& surface, PanelTests& tests, JoinHistory& history,
-					std::vector<Eigen::Vector3d>& tips)
-		: surface_(surface), tests_(tests), history_(history), tips_(tips),
+					std::vector<Eigen::Vector3d>& tips, const std::vector<char>& held)
+		: surface_(surface), tests_(tests), history_(history), tips_(tips), held_(held),
 		  mostWork_(tests.workWith(workBesideJoining)) {}
 
 	void run() {
@@ -103,8 +103,8 @@ private:
 	}
 
 	/// \return whether there was room for it, and it pays
-	static bool addDart(Union& joined, double length) {
-		const Dart dart = cutDart(joined.surface, joined.panel, joined.verdict.worstPoint, length);
+	bool addDart(Union& joined, double length) const {
+		const Dart dart = cutDart(joined.surface, joined.panel, joined.verdict.worstPoint, length, held_);
 		joined.tips.push_back(dart.tip);
 		joined.dartLength += dart.length;
 		return dart.length > 0 && joined.dartLength < worthwhile * joined.chain.length;
@@ -124,6 +124,7 @@ private:
 	PanelTests& tests_;
 	JoinHistory& history_;
 	std::vector<Eigen::Vector3d>& tips_;
+	const std::vector<char>& held_;
 	const double mostWork_;
 	std::set<std::array<int, 3>> tried_;
 };
@@ -131,8 +132,8 @@ private:
 } // namespace
 
 void joinWithRelief(CutSurface& surface, PanelTests& tests, JoinHistory& history,
-					std::vector<Eigen::Vector3d>& tips) {
-	RelievedJoining(surface, tests, history, tips).run();
+					std::vector<Eigen::Vector3d>& tips, const std::vector<char>& held) {
+	RelievedJoining(surface, tests, history, tips, held).run();
 }
 
 } // namespace developable::detail

@@ -71,8 +71,9 @@ bool SeamDrawing::tightenAt(const std::vector<Eigen::Vector3d>& points) {
 
 PlannedSurface SeamDrawing::drawn() const {
 	PlannedSurface result = withPanels();
+	const std::vector<char> held = keptTriangles(result, options_);
 	for (const Eigen::Vector3d& tip : dartTips_)
-		cutDart(result.surface, panelAt(result.surface, tip), tip, 0);
+		cutDart(result.surface, panelAt(result.surface, tip), tip, 0, held);
 	return result;
 }
 
