@@ -258,7 +258,7 @@ bool PanelPlan::takeBackLastJoin(CutSurface& surface, int panel) {
 }
 
 /// Panels that just fail to hold get darts where they do. A dart that makes it worse is taken out again, and
-/// a longer one is tried.
+/// a longer one is tried; where they do not help in the end all of them go.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	constexpr int rounds = 8, patience = 3;              // rounds that make it no better
 	constexpr double firstLength = 0.15, increase = 1.6; // in roots of the area
@@ -267,6 +267,9 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	double length = firstLength;
 	if (!options_.darts || !options_.splitTriangles)
 		return sewn;
+	const CutSurface start = planned_.surface;
+	const SewnPanels sewnAtStart = sewn;
+	const std::size_t tipsAtStart = dartTips_.size();
 	for (int round = 0; round < rounds && idle < patience && !tests_->stopped() && worstOf(sewn) >= 0;
 		 ++round) {
 		if (reliefsLeft_-- <= 0)
@@ -287,7 +290,11 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 			length *= increase;
 		}
 	}
-	return sewn;
+	if (worstOf(sewn) < 0)
+		return sewn;
+	planned_.surface = start;
+	dartTips_.resize(tipsAtStart);
+	return sewnAtStart;
 }
 
 /// One in each panel that may hold with it, or in the worst only. \return their tips
