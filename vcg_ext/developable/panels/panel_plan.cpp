@@ -268,7 +268,7 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	if (!options_.darts || !options_.splitTriangles)
 		return sewn;
 	const CutSurface start = planned_.surface;
-	const SewnPanels sewnAtStart = sewn;
+	SewnPanels sewnAtStart = sewn;
 	const std::size_t tipsAtStart = dartTips_.size();
 	for (int round = 0; round < rounds && idle < patience && !tests_->stopped() && worstOf(sewn) >= 0;
 		 ++round) {
