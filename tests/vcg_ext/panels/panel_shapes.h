@@ -44,11 +44,4 @@ inline std::set<std::vector<int>> panelsOf(const detail::CutSurface& surface) {
 	return panels;
 }
 
-inline double seamLength(const detail::CutSurface& surface) {
-	double sum = 0;
-	for (const detail::SeamChain& chain : detail::seamChains(surface))
-		sum += chain.length;
-	return sum;
-}
-
 } // namespace developable::test

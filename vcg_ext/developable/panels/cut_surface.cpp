@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -80,6 +81,14 @@ void CutSurface::divide(int panel, const std::vector<int>& labels) {
 		panelOf_[t] = panelOfRoot[connected.find(t)];
 }
 
+std::vector<int> CutSurface::trianglesAtBothSides(int halfEdge) const {
+	const std::vector<int>& own = triangles_[panelOf_[triangleOf(halfEdge)]];
+	const std::vector<int>& others = triangles_[panelOf_[triangleOf(assembly_.across(halfEdge))]];
+	std::vector<int> both;
+	std::set_union(own.begin(), own.end(), others.begin(), others.end(), std::back_inserter(both));
+	return both;
+}
+
 int CutSurface::join(const std::vector<int>& halfEdges) {
 	for (const int h : halfEdges)
 		setCut(h, false);
@@ -87,9 +96,7 @@ int CutSurface::join(const std::vector<int>& halfEdges) {
 	const int second = panelOf_[triangleOf(assembly_.across(halfEdges.front()))];
 	if (first == second)
 		return first;
-	std::vector<int> united;
-	std::merge(triangles_[first].begin(), triangles_[first].end(), triangles_[second].begin(),
-			   triangles_[second].end(), std::back_inserter(united));
+	std::vector<int> united = trianglesAtBothSides(halfEdges.front());
 	triangles_[first].clear();
 	triangles_[second].clear();
 	const int panel = panelCount();

@@ -30,6 +30,9 @@ public:
 	/// Ascending; none of a panel that was joined to another.
 	const std::vector<int>& trianglesOf(int panel) const { return triangles_[panel]; }
 
+	/// Of the one or two panels that meet at a half edge, ascending.
+	std::vector<int> trianglesAtBothSides(int halfEdge) const;
+
 	/// The half edge across, or -1 where there is a border, a seam or a dart.
 	int across(int halfEdge) const { return cut_[halfEdge] ? -1 : assembly_.across(halfEdge); }
 	/// Whether a seam or a dart that was added runs there.

@@ -34,11 +34,8 @@ public:
 private:
 	/// The seams in order of their lengths: the longest part of the first that has one that may go.
 	bool joinOne() {
-		std::vector<SeamChain> chains = seamChains(surface_);
-		std::stable_sort(chains.begin(), chains.end(),
-						 [](const SeamChain& a, const SeamChain& b) { return a.length > b.length; });
 		std::vector<Part> parts; // as little as pays, from either end
-		for (const SeamChain& chain : chains)
+		for (const SeamChain& chain : longestFirst(seamChains(surface_)))
 			for (const bool fromEnd : {false, true})
 				if (mayGoFrom(chain, fromEnd))
 					parts.push_back(partOf(chain, fromEnd, shares[0]));
@@ -98,7 +95,7 @@ private:
 		std::vector<PanelTrial> trials;
 		trials.reserve(parts.size());
 		for (const Part& part : parts)
-			trials.push_back(trialOf(part));
+			trials.push_back(trialAcross(surface_, part.halfEdges));
 		std::vector<char> mayGo;
 		for (const PanelVerdict& verdict : tests_.test(trials))
 			mayGo.push_back(verdict.flat && verdict.disk);
@@ -107,23 +104,6 @@ private:
 
 	static std::array<int, 4> keyOf(const Part& part) {
 		return {part.chain.panels[0], part.chain.panels[1], part.halfEdges.front(), part.halfEdges.back()};
-	}
-
-	PanelTrial trialOf(const Part& part) {
-		for (const int h : part.halfEdges)
-			surface_.setCut(h, false);
-		std::vector<int> triangles = surface_.trianglesOf(part.chain.panels[0]);
-		if (!part.chain.within()) {
-			const std::vector<int>& others = surface_.trianglesOf(part.chain.panels[1]);
-			triangles.insert(triangles.end(), others.begin(), others.end());
-			std::sort(triangles.begin(), triangles.end());
-		}
-		PanelTrial trial;
-		trial.panel = surface_.meshOf(triangles);
-		trial.patch = surface_.assembly().patchOfTriangle[triangles.front()];
-		for (const int h : part.halfEdges)
-			surface_.setCut(h, true);
-		return trial;
 	}
 
 	CutSurface& surface_;

@@ -16,16 +16,6 @@ JoinHistory::Pair JoinHistory::pairAt(const CutSurface& surface, int halfEdge) {
 	return {std::min(a, b), std::max(a, b)};
 }
 
-std::vector<int> JoinHistory::unionAt(const CutSurface& surface, int halfEdge) {
-	const int first = surface.panelOf(triangleOf(halfEdge));
-	const int second = surface.panelOf(triangleOf(surface.assembly().across(halfEdge)));
-	std::vector<int> whole;
-	std::set_union(surface.trianglesOf(first).begin(), surface.trianglesOf(first).end(),
-				   surface.trianglesOf(second).begin(), surface.trianglesOf(second).end(),
-				   std::back_inserter(whole));
-	return whole;
-}
-
 void JoinHistory::join(CutSurface& surface, const std::vector<int>& halfEdges) {
 	const int first = surface.panelOf(triangleOf(halfEdges.front()));
 	const int second = surface.panelOf(triangleOf(surface.assembly().across(halfEdges.front())));
@@ -58,7 +48,7 @@ void JoinHistory::refuse(const CutSurface& surface, const std::vector<int>& half
 bool JoinHistory::wasRefused(const CutSurface& surface, const std::vector<int>& halfEdges) {
 	const Pair pair = pairAt(surface, halfEdges.front());
 	return refused_.count({pair, *std::min_element(halfEdges.begin(), halfEdges.end())}) > 0 ||
-		   (!takenBack_.empty() && takenBack_.count(unionAt(surface, halfEdges.front())) > 0);
+		   (!takenBack_.empty() && takenBack_.count(surface.trianglesAtBothSides(halfEdges.front())) > 0);
 }
 
 } // namespace developable::detail

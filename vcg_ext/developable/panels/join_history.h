@@ -33,7 +33,6 @@ private:
 
 	/// A number for each set of triangles that ever was a panel.
 	int numberOf(const CutSurface& surface, int panel);
-	static std::vector<int> unionAt(const CutSurface& surface, int halfEdge);
 	Pair pairAt(const CutSurface& surface, int halfEdge);
 
 	std::map<std::vector<int>, int> numbers_; ///< by triangles, ascending

@@ -19,11 +19,11 @@ public:
 		for (std::size_t i = 0; i < triangles.size(); ++i)
 			local_[triangles[i]] = static_cast<int>(i);
 		Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-		for (const int t : triangles)
-			mean += surface.areas()[t] * surface.normals().col(t);
 		double area = 0; // without it the mean of a large surface would have no digits left for the normals
-		for (const int t : triangles)
+		for (const int t : triangles) {
+			mean += surface.areas()[t] * surface.normals().col(t);
 			area += surface.areas()[t];
+		}
 		proxies_ = {mean / area};
 		seeds_ = {leastDistorted(0, triangles_)};
 		grow();

@@ -14,13 +14,6 @@ namespace {
 constexpr double workBesideJoining = 1.5; ///< of the work that was done before
 constexpr double shorter = 0.98;          ///< share of the seams' length that is worth while
 
-double seamLength(const CutSurface& surface) {
-	double sum = 0;
-	for (const SeamChain& chain : seamChains(surface))
-		sum += chain.length;
-	return sum;
-}
-
 class Dissolving {
 public:
 	Dissolving(CutSurface& surface, const std::vector<int>& clusters, PanelTests& tests, JoinHistory& history)
@@ -51,12 +44,10 @@ private:
 	}
 
 	bool dissolve(int panel) {
+		if (clustersOf(panel).size() < 2)
+			return false;
 		CutSurface before = surface_; // with the numbers of its panels
 		const std::set<int> pieces = fallApart(panel);
-		if (pieces.size() < 2) {
-			surface_ = std::move(before);
-			return false;
-		}
 		joinPanels(surface_, tests_, history_, [&](const SeamChain& chain) {
 			return pieces.count(chain.panels[0]) != pieces.count(chain.panels[1]);
 		});
@@ -67,6 +58,13 @@ private:
 			return true;
 		surface_ = std::move(before);
 		return false;
+	}
+
+	std::set<int> clustersOf(int panel) const {
+		std::set<int> found;
+		for (const int t : surface_.trianglesOf(panel))
+			found.insert(clusters_[t]);
+		return found;
 	}
 
 	/// \return the panels that a panel becomes

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 namespace developable::detail {
 
@@ -46,44 +45,14 @@ private:
 									}),
 					 chains.end());
 		left_ = static_cast<int>(chains.size());
-		std::stable_sort(chains.begin(), chains.end(),
-						 [](const SeamChain& a, const SeamChain& b) { return a.length > b.length; });
-		std::vector<SeamChain> batch;
-		std::set<int> taken;
-		for (const SeamChain& chain : chains) {
-			if (static_cast<int>(batch.size()) == batchSize)
-				break;
-			if (taken.count(chain.panels[0]) + taken.count(chain.panels[1]) > 0)
-				continue;
-			taken.insert(chain.panels.begin(), chain.panels.end());
-			batch.push_back(chain);
-		}
-		return batch;
-	}
-
-	PanelTrial trialOf(const SeamChain& chain) {
-		for (const int h : chain.halfEdges)
-			surface_.setCut(h, false);
-		std::vector<int> triangles;
-		const auto& a = surface_.trianglesOf(chain.panels[0]);
-		const auto& b = surface_.trianglesOf(chain.panels[1]);
-		if (chain.within())
-			triangles = a;
-		else
-			std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(triangles));
-		PanelTrial trial;
-		trial.panel = surface_.meshOf(triangles);
-		trial.patch = surface_.assembly().patchOfTriangle[triangles.front()];
-		for (const int h : chain.halfEdges)
-			surface_.setCut(h, true);
-		return trial;
+		return firstApart(longestFirst(std::move(chains)), batchSize);
 	}
 
 	void joinThoseThatMay(const std::vector<SeamChain>& batch) {
 		std::vector<PanelTrial> trials;
 		trials.reserve(batch.size());
 		for (const SeamChain& chain : batch)
-			trials.push_back(trialOf(chain));
+			trials.push_back(trialAcross(surface_, chain.halfEdges));
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)
 			if (verdicts[i].flat && verdicts[i].disk)

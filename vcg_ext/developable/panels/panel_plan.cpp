@@ -11,8 +11,6 @@
 #include "selected_whole.h"
 #include "sewn_panels.h"
 
-#include "developable/newton/constrained_newton.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -25,45 +23,6 @@ namespace {
 
 constexpr double defaultDisplacement = 0.02; ///< of the diagonal of a part
 constexpr double smoothing = 1.5;            ///< how far labels spread, in mean edge lengths
-
-/// How bad it is that a panel is not developable, in any unit; 0 when it is.
-double excess(const CutPanel& panel) {
-	if (panel.triangles == 0 || panel.developable)
-		return 0;
-	constexpr double least = 1e-300; // what overlaps may not move at all
-	return std::max(least, panel.maxDisplacement * (1 + panel.curvatureAfter));
-}
-
-/// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
-bool wantsDart(const CutPanel& panel) {
-	const bool overlaps = panel.reason == Reason::NeedsCut &&
-						  panel.curvatureAfter <= ConstrainedNewtonOptions().curvatureTolerance;
-	return excess(panel) > 0 && panel.reason != Reason::BeyondBounds && !overlaps;
-}
-
-double totalExcess(const SewnPanels& sewn) {
-	double sum = 0;
-	for (const CutPanel& panel : sewn.panels)
-		sum += excess(panel);
-	return sum;
-}
-
-/// The panel that holds least, of those that do not; -1: all hold.
-int worstOf(const SewnPanels& sewn) {
-	const auto worst =
-		std::max_element(sewn.panels.begin(), sewn.panels.end(),
-						 [](const CutPanel& a, const CutPanel& b) { return excess(a) < excess(b); });
-	return excess(*worst) > 0 ? static_cast<int>(worst - sewn.panels.begin()) : -1;
-}
-
-/// Where what does not hold is worst, per panel of those.
-std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn) {
-	std::vector<Eigen::Vector3d> points;
-	for (const CutPanel& panel : sewn.panels)
-		if (excess(panel) > 0)
-			points.push_back(panel.worstPoint);
-	return points;
-}
 
 } // namespace
 
@@ -99,7 +58,7 @@ void PanelPlan::makeClusters() {
 	std::vector<PanelTrial> trials;
 	trials.reserve(patches);
 	for (int patch = 0; patch < patches; ++patch)
-		trials.push_back({planned_.surface.meshOf(planned_.surface.trianglesOf(patch)), patch});
+		trials.push_back(trialOf(planned_.surface, planned_.surface.trianglesOf(patch)));
 	const std::vector<PanelVerdict> verdicts = tests_->test(trials);
 	for (int patch = 0; patch < patches; ++patch) {
 		if (!verdicts[patch].flat)
@@ -153,8 +112,7 @@ void PanelPlan::divideUntilFlat() {
 			const std::vector<int>& triangles = planned_.surface.trianglesOf(panel);
 			if (triangles.size() < 2 || known[panel])
 				continue;
-			const int patch = planned_.surface.assembly().patchOfTriangle[triangles.front()];
-			trials.push_back({planned_.surface.meshOf(triangles), patch});
+			trials.push_back(trialOf(planned_.surface, triangles));
 			panels.push_back(panel);
 		}
 		if (panels.empty() ||
@@ -260,11 +218,11 @@ bool PanelPlan::takeBackLastJoin(CutSurface& surface, int panel) {
 /// Panels that just fail to hold get darts where they do. A dart that makes it worse is taken out again, and
 /// a longer one is tried; where they do not help in the end all of them go.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
-	constexpr int rounds = 8, patience = 3;              // rounds that make it no better
-	constexpr double firstLength = 0.15, increase = 1.6; // in roots of the area
-	constexpr double better = 0.95;                      // share of the excess that a round may leave
+	constexpr int rounds = 8, patience = 3; // rounds that make it no better
+	constexpr double increase = 1.6;        // of a dart's length after one of these
+	constexpr double better = 0.95;         // share of the excess that a round may leave
 	int idle = 0;
-	double length = firstLength;
+	double length = firstDartLength;
 	if (!options_.darts || !options_.splitTriangles)
 		return sewn;
 	const CutSurface start = planned_.surface;
@@ -282,7 +240,7 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 		if (!tests_->stopped() && totalExcess(next) < better * totalExcess(sewn)) {
 			dartTips_.insert(dartTips_.end(), tips.begin(), tips.end());
 			sewn = std::move(next);
-			length = firstLength;
+			length = firstDartLength;
 			idle = 0;
 		} else {
 			++idle;

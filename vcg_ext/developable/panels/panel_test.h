@@ -22,7 +22,8 @@ struct PanelVerdict {
 	bool disk = false; ///< or a flat sheet with holes
 	double maxDisplacement = 0;
 	double meanDisplacement = 0;
-	Eigen::Vector3d worstPoint = Eigen::Vector3d::Zero(); ///< where the largest angle defect is left or was
+	Eigen::Vector3d worstPoint =
+		Eigen::Vector3d::Zero(); ///< where the largest angle defect is left or was, or what moves too far
 };
 
 /// \param mesh  a panel; vertices doubled along its slits and darts coincide

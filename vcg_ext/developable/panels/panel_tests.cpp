@@ -17,6 +17,19 @@ std::pair<std::vector<double>, std::vector<int>> keyOf(const TriangleMesh& panel
 
 } // namespace
 
+PanelTrial trialOf(const CutSurface& surface, const std::vector<int>& triangles) {
+	return {surface.meshOf(triangles), surface.assembly().patchOfTriangle[triangles.front()]};
+}
+
+PanelTrial trialAcross(CutSurface& surface, const std::vector<int>& halfEdges) {
+	for (const int h : halfEdges)
+		surface.setCut(h, false);
+	PanelTrial trial = trialOf(surface, surface.trianglesAtBothSides(halfEdges.front()));
+	for (const int h : halfEdges)
+		surface.setCut(h, true);
+	return trial;
+}
+
 PanelTests::PanelTests(std::vector<double> maxDisplacement, const PanelMaterial& material, Progress progress)
 	: maxDisplacement_(std::move(maxDisplacement)), material_(material), progress_(std::move(progress)) {}
 

@@ -17,6 +17,12 @@ struct PanelTrial {
 	int patch = 0;
 };
 
+/// \param triangles  ascending, of one patch
+PanelTrial trialOf(const CutSurface& surface, const std::vector<int>& triangles);
+
+/// What meets at some half edges, without the cuts there. The surface is the same afterwards.
+PanelTrial trialAcross(CutSurface& surface, const std::vector<int>& halfEdges);
+
 class PanelTests {
 public:
 	/// \param maxDisplacement  per patch of the surface, length
@@ -43,7 +49,7 @@ public:
 	double workWith(double share) const { return work_ + std::max(share * work_, smallWork); }
 
 private:
-	static constexpr double smallWork = 3e5; // seconds
+	static constexpr double smallWork = 3e5; // triangles, which take seconds
 
 	const std::vector<double> maxDisplacement_;
 	const PanelMaterial material_;

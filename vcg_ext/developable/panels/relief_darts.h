@@ -6,6 +6,9 @@
 
 namespace developable::detail {
 
+/// The share that is tried first.
+constexpr double firstDartLength = 0.15;
+
 struct Dart {
 	double length = 0; ///< 0: there was no room for one
 	Eigen::Vector3d tip = Eigen::Vector3d::Zero();

@@ -10,12 +10,10 @@ namespace developable::detail {
 
 namespace {
 
-constexpr int batchSize = 4;            ///< of unions in whose darts are tried together
-constexpr int mostDarts = 6;            ///< in a union
-constexpr double worthwhile = 0.7;      ///< of the seam that goes: darts of more length are no gain
-constexpr double firstLength = 0.15;    ///< of a dart, in roots of the area
-constexpr double lengthIncrease = 1.25; ///< from a dart to the next
-
+constexpr int batchSize = 4;              ///< of unions in whose darts are tried together
+constexpr int mostDarts = 6;              ///< in a union
+constexpr double worthwhile = 0.7;        ///< of the seam that goes: darts of more length are no gain
+constexpr double lengthIncrease = 1.25;   ///< from a dart to the next
 constexpr double workBesideJoining = 0.5; ///< of the work that was done before
 
 /// Two panels as one, with darts.
@@ -52,18 +50,12 @@ public:
 private:
 	/// Across the longest seams that were not tried; no two have a panel in common.
 	std::vector<Union> nextUnions() {
-		std::vector<SeamChain> chains = seamChains(surface_);
-		std::stable_sort(chains.begin(), chains.end(),
-						 [](const SeamChain& a, const SeamChain& b) { return a.length > b.length; });
+		const auto isNew = [&](const SeamChain& chain) {
+			return !chain.within() &&
+				   tried_.insert({chain.panels[0], chain.panels[1], chain.halfEdges.front()}).second;
+		};
 		std::vector<Union> unions;
-		std::set<int> taken;
-		for (const SeamChain& chain : chains) {
-			if (static_cast<int>(unions.size()) == batchSize)
-				break;
-			if (chain.within() || taken.count(chain.panels[0]) + taken.count(chain.panels[1]) > 0 ||
-				!tried_.insert({chain.panels[0], chain.panels[1], chain.halfEdges.front()}).second)
-				continue;
-			taken.insert(chain.panels.begin(), chain.panels.end());
+		for (const SeamChain& chain : firstApart(longestFirst(seamChains(surface_)), batchSize, isNew)) {
 			Union joined{chain, surface_, -1, {}, 0, {}};
 			joined.panel = joined.surface.join(chain.halfEdges);
 			unions.push_back(std::move(joined));
@@ -77,7 +69,7 @@ private:
 		open.reserve(unions.size());
 		for (Union& joined : unions)
 			open.push_back(&joined);
-		double length = firstLength;
+		double length = firstDartLength;
 		for (int darts = 0; !open.empty() && !tests_.stopped(); ++darts, length *= lengthIncrease) {
 			test(open);
 			open.erase(std::remove_if(open.begin(), open.end(),
@@ -92,11 +84,8 @@ private:
 	void test(const std::vector<Union*>& unions) {
 		std::vector<PanelTrial> trials;
 		trials.reserve(unions.size());
-		for (const Union* joined : unions) {
-			const std::vector<int>& triangles = joined->surface.trianglesOf(joined->panel);
-			trials.push_back({joined->surface.meshOf(triangles),
-							  joined->surface.assembly().patchOfTriangle[triangles.front()]});
-		}
+		for (const Union* joined : unions)
+			trials.push_back(trialOf(joined->surface, joined->surface.trianglesOf(joined->panel)));
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < unions.size(); ++i)
 			unions[i]->verdict = verdicts[i];

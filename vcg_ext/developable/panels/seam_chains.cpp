@@ -3,6 +3,7 @@
 #include "seam_chains.h"
 
 #include <algorithm>
+#include <set>
 
 namespace developable::detail {
 
@@ -81,6 +82,34 @@ private:
 
 std::vector<SeamChain> seamChains(const CutSurface& surface) {
 	return ChainWalker(surface).chains();
+}
+
+std::vector<SeamChain> longestFirst(std::vector<SeamChain> chains) {
+	std::stable_sort(chains.begin(), chains.end(),
+					 [](const SeamChain& a, const SeamChain& b) { return a.length > b.length; });
+	return chains;
+}
+
+std::vector<SeamChain> firstApart(const std::vector<SeamChain>& chains, int most,
+								  const std::function<bool(const SeamChain&)>& mayTake) {
+	std::vector<SeamChain> first;
+	std::set<int> taken;
+	for (const SeamChain& chain : chains) {
+		if (static_cast<int>(first.size()) == most)
+			break;
+		if (taken.count(chain.panels[0]) + taken.count(chain.panels[1]) > 0 || (mayTake && !mayTake(chain)))
+			continue;
+		taken.insert(chain.panels.begin(), chain.panels.end());
+		first.push_back(chain);
+	}
+	return first;
+}
+
+double seamLength(const CutSurface& surface) {
+	double sum = 0;
+	for (const SeamChain& chain : seamChains(surface))
+		sum += chain.length;
+	return sum;
 }
 
 } // namespace developable::detail

@@ -5,6 +5,7 @@
 #include "cut_surface.h"
 
 #include <array>
+#include <functional>
 
 namespace developable::detail {
 
@@ -23,5 +24,17 @@ struct SeamChain {
 
 /// In the order of their first half edges.
 std::vector<SeamChain> seamChains(const CutSurface& surface);
+
+/// The same, the longest first.
+std::vector<SeamChain> longestFirst(std::vector<SeamChain> chains);
+
+/// The first of some chains, so many at most, no two of which have a panel in common.
+/// \param mayTake  asked of those only that have none in common with what was taken; all may be when it is
+/// empty
+std::vector<SeamChain> firstApart(const std::vector<SeamChain>& chains, int most,
+								  const std::function<bool(const SeamChain&)>& mayTake = {});
+
+/// Of all seams and darts, each counted once.
+double seamLength(const CutSurface& surface);
 
 } // namespace developable::detail

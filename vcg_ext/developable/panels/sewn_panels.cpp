@@ -131,7 +131,43 @@ void judgeStrain(const PatchAssembly& assembly, const Positions& positions, cons
 	}
 }
 
+/// How bad it is that a panel is not developable, in any unit; 0 when it is.
+double excess(const CutPanel& panel) {
+	if (panel.triangles == 0 || panel.developable)
+		return 0;
+	constexpr double least = 1e-300; // what overlaps may not move at all
+	return std::max(least, panel.maxDisplacement * (1 + panel.curvatureAfter));
+}
+
 } // namespace
+
+bool wantsDart(const CutPanel& panel) {
+	const bool overlaps = panel.reason == Reason::NeedsCut &&
+						  panel.curvatureAfter <= ConstrainedNewtonOptions().curvatureTolerance;
+	return excess(panel) > 0 && panel.reason != Reason::BeyondBounds && !overlaps;
+}
+
+double totalExcess(const SewnPanels& sewn) {
+	double sum = 0;
+	for (const CutPanel& panel : sewn.panels)
+		sum += excess(panel);
+	return sum;
+}
+
+int worstOf(const SewnPanels& sewn) {
+	const auto worst =
+		std::max_element(sewn.panels.begin(), sewn.panels.end(),
+						 [](const CutPanel& a, const CutPanel& b) { return excess(a) < excess(b); });
+	return excess(*worst) > 0 ? static_cast<int>(worst - sewn.panels.begin()) : -1;
+}
+
+std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn) {
+	std::vector<Eigen::Vector3d> points;
+	for (const CutPanel& panel : sewn.panels)
+		if (excess(panel) > 0)
+			points.push_back(panel.worstPoint);
+	return points;
+}
 
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,

@@ -14,6 +14,18 @@ struct SewnPanels {
 	double maxDisplacement = 0;
 };
 
+/// How bad it is that panels are not developable, in any unit; 0 when all are.
+double totalExcess(const SewnPanels& sewn);
+
+/// The panel that holds least, of those that do not; -1: all hold.
+int worstOf(const SewnPanels& sewn);
+
+/// Where what does not hold is worst, per panel of those.
+std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn);
+
+/// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
+bool wantsDart(const CutPanel& panel);
+
 /// \param mesh             the panels as the user will have them: what comes out depends a little on the
 /// order
 ///                         of vertices; its `face` are triangles of the surface
