@@ -11,19 +11,10 @@ namespace {
 constexpr double clearance = 0.03; ///< share of the limit by which radii keep away from it
 constexpr double unfelt = 20;      ///< widths below the limit, where the cost has next to no slope
 
-std::vector<double> copyShares(const PatchAssembly& assembly) {
-	std::vector<double> shares(assembly.copyCount(), 0);
-	double sum = 0;
-	for (int t = 0; t < assembly.triangleCount(); ++t) {
-		const double area =
-			triangleFrame(assembly.originalPositions, assembly.trianglePlaces.col(t)).normal.norm();
-		for (int corner = 0; corner < 3; ++corner)
-			shares[assembly.copyAt(3 * t + corner)] += area;
-		sum += 3 * area;
-	}
-	for (double& share : shares)
-		share /= sum;
-	return shares;
+/// Of the area, per copy.
+Eigen::VectorXd copyShares(const PatchAssembly& assembly) {
+	const Eigen::VectorXd areas = copyAreas(assembly, assembly.originalPositions);
+	return areas / areas.sum();
 }
 
 } // namespace

@@ -55,7 +55,7 @@ private:
 	const PatchAssembly& assembly_;
 	const double radius_, force_;
 	double width_ = 1;
-	std::vector<double> masses_; // per copy
+	Eigen::VectorXd masses_; // per copy
 	std::vector<SecondDerivatives> derivatives_;
 };
 

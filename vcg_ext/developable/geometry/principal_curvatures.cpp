@@ -3,7 +3,6 @@
 #include "principal_curvatures.h"
 
 #include "tangent_quadric.h"
-#include "vertex_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,23 +31,14 @@ Eigen::Vector2d curvaturesOf(const Quadric& quadric) {
 PrincipalCurvatures principalCurvatures(const PatchAssembly& assembly, const Positions& positions) {
 	PrincipalCurvatures result{Eigen::VectorXd::Zero(assembly.copyCount()),
 							   Eigen::VectorXd::Zero(assembly.copyCount())};
-	const detail::SecondRings rings(assembly);
-	const Eigen::Matrix3Xd normals = copyNormals(assembly, positions);
-	std::vector<int> ring;
-	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
-		rings.collect(copy, ring);
-		const Eigen::Vector3d normal = normals.col(copy);
-		if (static_cast<int>(ring.size()) < detail::TangentQuadric::unknowns || normal.isZero())
-			continue;
-		for (int& neighbour : ring)
-			neighbour = assembly.placeOfCopy[neighbour];
-		const detail::TangentQuadric quadric(positions, assembly.placeOfCopy[copy], normal, ring);
+	const auto add = [&](int copy, const std::vector<int>& /*ring*/, const detail::TangentQuadric& quadric) {
 		const Eigen::Vector2d curvatures = curvaturesOf(quadric.fitted(quadric.heights())) / quadric.reach();
 		if (!curvatures.allFinite())
-			continue;
+			return;
 		result.least[copy] = curvatures[0];
 		result.greatest[copy] = curvatures[1];
-	}
+	};
+	detail::visitTangentQuadrics(assembly, positions, add);
 	return result;
 }
 

@@ -2,6 +2,8 @@
 // tangent_quadric.cpp: the normal equations of the fit.
 #include "tangent_quadric.h"
 
+#include "vertex_normals.h"
+
 #include <Eigen/Geometry>
 
 namespace developable::detail {
@@ -21,6 +23,22 @@ TangentQuadric::TangentQuadric(const Positions& positions, int place, const Eige
 	const Eigen::Array<double, 1, Eigen::Dynamic> x = points.row(0), y = points.row(1);
 	design_ << (x * x).matrix(), (x * y).matrix(), (y * y).matrix(), x.matrix(), y.matrix();
 	decomposition_.compute(design_ * design_.transpose());
+}
+
+void visitTangentQuadrics(const PatchAssembly& assembly, const Positions& positions,
+						  const TangentQuadricVisitor& visit) {
+	const SecondRings rings(assembly);
+	const Eigen::Matrix3Xd normals = copyNormals(assembly, positions);
+	std::vector<int> ring;
+	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
+		rings.collect(copy, ring);
+		const Eigen::Vector3d normal = normals.col(copy);
+		if (static_cast<int>(ring.size()) < TangentQuadric::unknowns || normal.isZero())
+			continue;
+		for (int& neighbour : ring)
+			neighbour = assembly.placeOfCopy[neighbour];
+		visit(copy, ring, TangentQuadric(positions, assembly.placeOfCopy[copy], normal, ring));
+	}
 }
 
 } // namespace developable::detail

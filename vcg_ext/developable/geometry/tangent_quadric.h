@@ -6,6 +6,7 @@
 
 #include <Eigen/QR>
 
+#include <functional>
 #include <vector>
 
 namespace developable::detail {
@@ -38,5 +39,12 @@ private:
 	Eigen::Matrix<double, unknowns, Eigen::Dynamic> design_;
 	Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, unknowns, unknowns>> decomposition_;
 };
+
+/// Of a copy, the places round it, and the quadric there.
+using TangentQuadricVisitor = std::function<void(int, const std::vector<int>&, const TangentQuadric&)>;
+
+/// The quadric of every copy that has enough neighbours and a normal.
+void visitTangentQuadrics(const PatchAssembly& assembly, const Positions& positions,
+						  const TangentQuadricVisitor& visit);
 
 } // namespace developable::detail
