@@ -15,9 +15,9 @@ import time
 from pathlib import Path
 
 import numpy as np
-import pymeshlab
 from common import print_head, print_row
 from meshlab_developable import flatten, make_developable
+from models import load
 
 MODELS = [
     Path(__file__).parents[1] / f"meshes/{name}.ply"
@@ -58,10 +58,7 @@ def nearest_on_line(original, target, faces, bound: float) -> float:
 
 def rows_of(path: Path) -> float:
     """Print the rows of one mesh and return its move at 1 % as a share of that on the line."""
-    meshes = pymeshlab.MeshSet()
-    meshes.load_new_mesh(str(path))
-    mesh = meshes.current_mesh()
-    vertices, faces = mesh.vertex_matrix().copy(), mesh.face_matrix().copy()
+    vertices, faces = load(path)
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
     target, zero_seconds, share = vertices, 0.0, float("nan")
     for bound in BOUNDS:

@@ -9,26 +9,21 @@ mean moves, the greatest strain of the pattern, and how many times the processor
 from __future__ import annotations
 
 import time
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pymeshlab
 from common import print_head, print_row
-from meshlab_developable import make_developable, measure
+from meshlab_developable import make_developable
+from models import SHEETS, bending_radii, load
 
-MODELS = ("shoe_upper", "short_pants", "dented_shell", "hull_panel")
 STRAINS = (0.12, 1.0)  # per cent
 RADII = (0.05, 0.08, 0.12)  # of the diagonal
 
 
 def share_below(vertices, faces, radius: float) -> float:
     """The share of the area, a third of each triangle to its corners, that is bent more tightly."""
-    radii = measure(vertices, faces, map="Bending radius").quality
-    x = vertices[faces]
-    areas = np.linalg.norm(np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]), axis=1)
-    shares = np.bincount(faces.ravel(), np.repeat(areas, 3), len(vertices))
-    return float(shares[radii < radius].sum() / shares.sum())
+    radii, shares = bending_radii(vertices, faces)
+    return float(shares[radii < radius].sum())
 
 
 def moved(vertices, faces, strain: float, radius: float) -> tuple[Any, float]:
@@ -48,11 +43,8 @@ def main() -> None:
             "mean move: without, %", "with, %", "strain, %", "times",
         )
     )  # fmt: skip
-    for name in MODELS:
-        meshes = pymeshlab.MeshSet()
-        meshes.load_new_mesh(str(Path(__file__).parents[1] / f"meshes/{name}.ply"))
-        mesh = meshes.current_mesh()
-        vertices, faces = mesh.vertex_matrix().copy(), mesh.face_matrix().copy()
+    for path in SHEETS:
+        vertices, faces = load(path)
         diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
         for strain in STRAINS:
             free, free_seconds = moved(vertices, faces, strain, 0)
@@ -64,7 +56,7 @@ def main() -> None:
                 strains = max(bent.report.max_stretch, bent.report.max_compression)
                 numbers = [f"{value:.2f}" for value in below] + [f"{value:.3f}" for value in moves]
                 times = f"{seconds / free_seconds:.1f}"
-                print_row(name, f"{strain:g}", f"{100 * share:g}", *numbers, f"{strains:.4f}", times)
+                print_row(path.stem, f"{strain:g}", f"{100 * share:g}", *numbers, f"{strains:.4f}", times)
 
 
 if __name__ == "__main__":

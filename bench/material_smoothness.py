@@ -8,26 +8,21 @@ radius, in per cent of the diagonal, that 99, 95 and 50 % of the area are bent l
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 
 import numpy as np
-import pymeshlab
 from common import print_head, print_row
-from meshlab_developable import make_developable, measure
+from meshlab_developable import make_developable
+from models import SHEETS, bending_radii, load
 
-MODELS = ("shoe_upper", "short_pants", "dented_shell", "hull_panel")
 SMOOTHNESSES = (3e-7, 3e-6, 3e-5, 3e-4, 3e-3)
 SHARES = (0.01, 0.05, 0.5)
 
 
 def radii_beyond(vertices, faces) -> list[float]:
     """The radii that so many shares of the area are below."""
-    radii = measure(vertices, faces, map="Bending radius").quality
-    x = vertices[faces]
-    areas = np.linalg.norm(np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]), axis=1)
-    weights = np.bincount(faces.ravel(), np.repeat(areas, 3), len(vertices))
+    radii, shares = bending_radii(vertices, faces)
     order = np.argsort(radii)
-    cumulated = np.cumsum(weights[order]) / weights.sum()
+    cumulated = np.cumsum(shares[order])
     return [float(radii[order][np.searchsorted(cumulated, share)]) for share in SHARES]
 
 
@@ -37,15 +32,16 @@ def main() -> None:
         ("material", "mesh", "smoothness", "mean move, %", "radius of 99 %", "95 %", "50 % of the area")
     )
     for material in sys.argv[1:] or ["Sheet steel", "Plywood", "Leather", "Paper"]:
-        for name in MODELS:
-            meshes = pymeshlab.MeshSet()
-            meshes.load_new_mesh(str(Path(__file__).parents[1] / f"meshes/{name}.ply"))
-            mesh = meshes.current_mesh()
-            vertices, faces = mesh.vertex_matrix().copy(), mesh.face_matrix().copy()
+        for path in SHEETS:
+            vertices, faces = load(path)
             diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
             before = radii_beyond(vertices, faces)
             print_row(
-                material, name, "the original", "0", *(f"{100 * radius / diagonal:.2f}" for radius in before)
+                material,
+                path.stem,
+                "the original",
+                "0",
+                *(f"{100 * radius / diagonal:.2f}" for radius in before),
             )
             for smoothness in SMOOTHNESSES:
                 moved = make_developable(vertices, faces, material=material, smoothness=smoothness)
@@ -53,7 +49,7 @@ def main() -> None:
                 radii = radii_beyond(moved.vertices, faces)
                 print_row(
                     material,
-                    name,
+                    path.stem,
                     f"{smoothness:g}",
                     f"{100 * move / diagonal:.3f}",
                     *(f"{100 * radius / diagonal:.2f}" for radius in radii),

@@ -25,6 +25,7 @@ Entry: TypeAlias = Mapping[str, Any]
 TABLE = Path(__file__).with_name("materials.json")
 OF_THE_USER = "DEVELOPABLE_MATERIAL"  # the plugin takes the entry in this variable for `Custom`
 DIRECTIONS = ("warp", "weft", "bias")
+GRAIN_AXES = {"X axis": (1.0, 0.0, 0.0), "Y axis": (0.0, 1.0, 0.0), "Z axis": (0.0, 0.0, 1.0)}
 BOUNDS = {"stretch": 1000.0, "compression": 100.0}  # per cent, with the most there can be
 OTHER_NUMBERS = {"elastic_strain": 100.0, "thickness": math.inf, "smoothness": 1.0}
 
@@ -173,9 +174,9 @@ def grain_along(direction: Sequence[float], material: Any) -> str:
     Only materials whose directions differ look at it. Raises InvalidParameterError for one of those with a
     direction that is no axis.
     """
-    along = [axis for axis, part in zip("XYZ", direction, strict=True) if part != 0]
+    along = [axis for axis, part in zip(GRAIN_AXES, direction, strict=True) if part != 0]
     if len(along) == 1:
-        return f"{along[0]} axis"
+        return along[0]
     entry = _entry_of(material)
     if any(isinstance(entry.get(key), Mapping) for key in BOUNDS):
         raise InvalidParameterError(

@@ -106,15 +106,19 @@ def apply_filter(meshes: Any, applied: Filter, values: Mapping[str, Any]) -> dic
 
 def _length(meshes: Any, name: str, value: float | str) -> Any:
     """As pymeshlab takes lengths: in the mesh's unit, or as a share of the diagonal of the mesh's box."""
-    share = per_cent(value) if isinstance(value, str) else None
-    diagonal = float(meshes.current_mesh().bounding_box().diagonal())
-    length = float(value) if share is None else share / 100 * diagonal
+    if isinstance(value, str):
+        share = per_cent(value)
+        length = share / 100 * float(meshes.current_mesh().bounding_box().diagonal())
+        kept = _Share(share)
+    else:
+        length = float(value)
+        kept = _PlainLength(length)
     if length and not _LEAST_LENGTH <= abs(length) <= _GREATEST_LENGTH:
         raise InvalidParameterError(
             f"{name} is a length of {length:.3g}, and pymeshlab keeps lengths from {_LEAST_LENGTH:g} to "
             f"{_GREATEST_LENGTH:g}: scale the mesh to an ordinary size"
         )
-    return _PlainLength(length) if share is None else _Share(share)
+    return kept
 
 
 def save(meshes: Any, path: Path) -> None:

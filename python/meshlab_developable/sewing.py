@@ -29,7 +29,12 @@ class Seam:
     @property
     def ease(self) -> float:
         """The same as a share of the shorter side."""
-        return self.mismatch / min(self.lengths)
+        return ease_of(self.lengths)
+
+
+def ease_of(lengths: tuple[float, float]) -> float:
+    """By how much one side of a seam is longer than the other, as a share of the shorter."""
+    return abs(lengths[0] - lengths[1]) / min(lengths)
 
 
 def boundary_loops(faces: IndexArray) -> tuple[IndexArray, ...]:

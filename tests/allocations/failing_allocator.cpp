@@ -3,8 +3,8 @@
 // in place of operator new, whose own calls of malloc are in a shared library that the linker leaves alone.
 #include "failing_allocator.h"
 
-#include <atomic>
-#include <cerrno>
+#include "support/failing_range.h"
+
 #include <cstdlib>
 #include <new>
 
@@ -17,18 +17,10 @@ void* __real_realloc(void* pointer, std::size_t size);
 
 namespace {
 
-constexpr long never = -1;
-std::atomic<long> number = never; ///< of the last allocation
-std::atomic<long> firstToFail = 0, lastToFail = 0;
+developable::test::FailingRange allocations;
 
 bool fails() {
-	if (number.load(std::memory_order_relaxed) == never)
-		return false;
-	const long mine = ++number;
-	const bool result = mine >= firstToFail && mine <= lastToFail;
-	if (result)
-		errno = ENOMEM;
-	return result;
+	return allocations.fails(allocations.next());
 }
 
 } // namespace
@@ -85,13 +77,12 @@ void operator delete(void* pointer, std::size_t /*size*/, std::align_val_t /*ali
 namespace developable::test {
 
 void arm(const FailingAllocations& which) {
-	firstToFail = which.first > 0 ? which.first : 0;
-	lastToFail = which.first > 0 ? which.first - 1 + which.count : -1;
-	number = 0;
+	allocations.set(which.first, which.count);
+	allocations.begin();
 }
 
 long disarm() {
-	return number.exchange(never);
+	return allocations.end();
 }
 
 } // namespace developable::test

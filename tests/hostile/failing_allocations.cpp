@@ -5,32 +5,26 @@
 // whose command line has this text, or, when it is `fork`, in what is forked. FAILING_FIRST is the number of
 // the first to fail, from 1, and FAILING_COUNT how many do. FAILING_LOG names a file that grows by a byte at
 // each thousandth.
+#include "support/failing_range.h"
+
 #include <fcntl.h>
 #include <pthread.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
 namespace {
 
-std::atomic<long> number = 0; // of the last allocation
-std::atomic<bool> counting = false;
-long firstToFail = 0, lastToFail = -1;
+developable::test::FailingRange allocations;
 int logFile = -1;
 
 bool fails() {
-	if (!counting.load(std::memory_order_relaxed))
-		return false;
-	const long mine = ++number;
-	if (mine % 1000 == 0 && logFile >= 0)
+	const long number = allocations.next();
+	if (number > 0 && number % 1000 == 0 && logFile >= 0)
 		static_cast<void>(!write(logFile, "+", 1));
-	const bool result = mine >= firstToFail && mine <= lastToFail;
-	if (result)
-		errno = ENOMEM;
-	return result;
+	return allocations.fails(number);
 }
 
 long variable(const char* name) {
@@ -39,7 +33,7 @@ long variable(const char* name) {
 }
 
 void count() {
-	counting = true;
+	allocations.begin();
 }
 
 bool commandLineHas(const char* text) {
@@ -57,8 +51,7 @@ __attribute__((constructor)) void begin() {
 	const char* where = std::getenv("FAILING_IN");
 	if (where == nullptr)
 		return;
-	firstToFail = variable("FAILING_FIRST");
-	lastToFail = firstToFail > 0 ? firstToFail - 1 + variable("FAILING_COUNT") : -1;
+	allocations.set(variable("FAILING_FIRST"), variable("FAILING_COUNT"));
 	if (const char* name = std::getenv("FAILING_LOG"); name != nullptr)
 		logFile = open(name, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
 	if (std::strcmp(where, "fork") == 0)

@@ -31,6 +31,8 @@ def preloaded(tmp_path_factory):
             "-Werror",
             "-shared",
             "-fPIC",
+            "-I",
+            Path(__file__).parents[1],
             source,
             "-o",
             library,

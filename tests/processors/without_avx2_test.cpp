@@ -20,7 +20,7 @@
 struct ProcessorModel {
 	unsigned vendor, type, subtype, features;
 };
-extern ProcessorModel processorModel __asm__("__cpu_model"); // NOLINT(bugprone-reserved-identifier)
+extern ProcessorModel processorModel __asm__("__cpu_model"); // theirs: NOLINT(bugprone-reserved-identifier)
 
 namespace developable::test {
 namespace {

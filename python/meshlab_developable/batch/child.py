@@ -15,7 +15,7 @@ import warnings
 from pathlib import Path
 from typing import Any
 
-from meshlab_developable import mesh_sets, plugin
+from meshlab_developable import materials, mesh_sets, plugin
 from meshlab_developable.batch.records import State
 from meshlab_developable.batch.thumbnails import write_thumbnail
 from meshlab_developable.departure import departure_of
@@ -25,8 +25,6 @@ from meshlab_developable.methods import METHODS
 from meshlab_developable.panels import panel_reports
 from meshlab_developable.parent import OUT_OF_MEMORY, die_with
 from meshlab_developable.writing import written_whole
-
-AXES = {"X axis": (1.0, 0.0, 0.0), "Y axis": (0.0, 1.0, 0.0), "Z axis": (0.0, 0.0, 1.0)}  # of a grain
 
 
 def main() -> None:
@@ -92,7 +90,7 @@ def _pattern_notes(request: dict[str, Any]) -> tuple[str, ...]:
 
     kept = ("patches", "weld_distance", "material", "allowed_stretch", "allowed_compression")
     parts = {key: value for key, value in request["parameters"].items() if key in kept}
-    axis = AXES.get(request["parameters"].get("grain"))
+    axis = materials.GRAIN_AXES.get(request["parameters"].get("grain"))
     if axis is not None:
         parts["grain"] = axis
     target, folder = Path(request["target"]), Path(request["pattern"])

@@ -17,7 +17,7 @@ from meshlab_developable.patterns.drawing import Drawing, Layer, Notch, Path, Qu
 from meshlab_developable.patterns.folding import fold_lines, half_of
 from meshlab_developable.patterns.pieces import Piece, Pieces
 from meshlab_developable.patterns.symmetry import Fold
-from meshlab_developable.sewing import Seam
+from meshlab_developable.sewing import Seam, ease_of
 
 LETTER_HEIGHT, NAME_HEIGHT = 5.0, 8.0  # mm, on pieces that are large enough
 NOTCH_DEPTH = 4.0  # mm, unless the allowance is narrower
@@ -36,7 +36,7 @@ class MarkedSeam:
     @property
     def ease(self) -> float:
         """By how much one side is longer than the other, as a share of the shorter."""
-        return max(self.lengths) / min(self.lengths) - 1
+        return ease_of(self.lengths)
 
 
 def mark_seams(seams: Sequence[Seam], pieces: Pieces, notch_spacing: float) -> tuple[MarkedSeam, ...]:
@@ -81,7 +81,7 @@ def draw_piece(
     seams: Sequence[MarkedSeam],
     lines: Sequence[tuple[int, list[int]]],
     seam_allowance: float,
-    quantity: Quantity = Quantity(),  # noqa: B008
+    quantity: Quantity = Quantity(),  # noqa: B008 - never changed
     fold: Fold | None = None,
 ) -> Drawing:
     """A piece with all its lines and marks, in its own frame; with a fold, the half to the right of it."""
