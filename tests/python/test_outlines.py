@@ -246,6 +246,13 @@ def test_curves_follow_their_points():
     assert shapely.distance(shapely.points(ring), drawn).max() < 0.025
 
 
+def test_curves_pass_a_point_given_twice():
+    ring = np.array([(0, 0), (50, 0), (50, 0), (50, 40), (1e-9, 40), (0, 40), (0, 1e-9)], dtype=float)
+    ends = np.array([curve[[0, 3]] for curve in bezier_curves(ring)])
+    assert np.isfinite(ends).all()
+    np.testing.assert_allclose(sorted(ends[:, 0].tolist()), [(0, 0), (0, 40), (50, 0), (50, 40)], atol=1e-8)
+
+
 @pytest.mark.parametrize("options", [{"outline": "round"}, {"outline_tolerance": -1}])
 def test_bad_options_are_refused(tmp_path, options):
     with pytest.raises(InvalidParameterError, match=next(iter(options))):

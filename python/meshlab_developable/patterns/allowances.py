@@ -14,6 +14,7 @@ from meshlab_developable.patterns.winding import cells_by_winding
 
 MITRE_LIMIT = 3.0  # of the allowance: sharper corners are cut off at that distance
 NARROWEST_OPENING = 1.0  # mm, between allowances, that is cut
+_SAME = 1e-6  # mm; lines that are nearer are one
 _SPIKE = 3.0  # mm; what is narrower is no allowance
 _STEADY = np.radians(20)  # where a boundary turns less, a change of width is a step
 _STEEP = 0.35  # the sine of the least angle between a hem and the side beside it
@@ -73,7 +74,9 @@ def _moved(ring: Array, widths: Sequence[Width]) -> shapely.Polygon:
     cells, windings = cells_by_winding(line)
     outline = shapely.Polygon(ring)
     positive = windings > 0 if outline.exterior.is_ccw else windings < 0
-    return shapely.union_all(cells[positive])
+    # Parallels that should meet leave slivers by rounding, which blunting would widen into slits.
+    slivers = shapely.area(cells) < _SAME * shapely.length(cells)
+    return shapely.union_all(cells[positive | slivers])
 
 
 def _join(corner: Array, index: int, along: Array, normals: Array, widths: Sequence[Width]) -> list[Array]:

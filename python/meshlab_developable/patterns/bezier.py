@@ -12,6 +12,7 @@ from meshlab_developable.patterns.corners import turning
 
 CORNER = np.radians(20)  # what bends more at a point is no curve
 TOLERANCE = 0.02  # mm, from the points
+_SAME = 1e-6  # mm; points that are nearer are one
 _CORRECTIONS = 3  # of the points' parameters
 
 
@@ -21,6 +22,7 @@ def bezier_curves(points: Array) -> list[Array]:
     points: k x 2; the first is not repeated. Curves meet at corners, and elsewhere smoothly; also at
     the extremes of x and y, so that their ends tell the box.
     """
+    points = points[np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1) > _SAME]
     count = len(points)
     corners = set(np.flatnonzero(abs(turning(points)) > CORNER).tolist())
     starts = sorted({*corners, *points.argmin(axis=0).tolist(), *points.argmax(axis=0).tolist()})
