@@ -156,12 +156,31 @@ TEST(LargestDisplacement, IsPreferablyBelowAnotherBoundWhereThatIsEasy) {
 		++lowered;
 		EXPECT_LT(meanDisplacement(assembly, chosen), 1.05 * meanDisplacement(assembly, free));
 
-		options.tuning.preferredReach = 1.01; // and as it was where it would be too far
+		options.tuning.preferredReach = options.tuning.pullBackReach = 1.01; // as it was where it is too far
 		chosen = assembly.originalPositions;
 		constrainedNewton(assembly, chosen, options);
 		EXPECT_EQ(chosen, free);
 	}
 	EXPECT_GE(lowered, 1);
+}
+
+TEST(LargestDisplacement, IsPulledBackOnTheFinestLevelToo) {
+	int lowered = 0;
+	for (const Surface& surface : {Surface(saddle), Surface(wave), Surface(largeSaddle), Surface(vamp)}) {
+		const PatchAssembly assembly = assembled(jitteredGrid(26, 26, surface));
+		const double diagonal = boxDiagonal(assembly.originalPositions);
+		ConstrainedNewtonOptions options;
+		options.tuning.coarsest = 150;
+		options.tuning.preferredMove = 0;
+		Positions free = assembly.originalPositions, chosen = free;
+		if (constrainedNewton(assembly, free, options).status != Status::Converged)
+			continue;
+		options.tuning.preferredMove = 0.9 * farthest(assembly, free) / diagonal;
+		EXPECT_EQ(constrainedNewton(assembly, chosen, options).status, Status::Converged);
+		expectSound(assembly, chosen);
+		lowered += farthest(assembly, chosen) <= options.tuning.preferredMove * diagonal;
+	}
+	EXPECT_GE(lowered, 3);
 }
 
 } // namespace

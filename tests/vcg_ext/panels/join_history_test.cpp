@@ -40,6 +40,16 @@ TEST(JoinHistory, takesBackTheLastJoinOfAPanelOnly) {
 		EXPECT_FALSE(history.takeBack(surface, panel)); // were never joined
 }
 
+TEST(JoinHistory, whatIsNeverAgainToBeIsNotJoined) {
+	CutSurface surface = threeStrips();
+	JoinHistory history;
+	const std::vector<int> seam = seamChains(surface).front().halfEdges;
+	CutSurface joined = surface;
+	history.neverAgain(joined, joined.join(seam));
+	EXPECT_TRUE(history.wasRefused(surface, seam));
+	EXPECT_FALSE(history.wasRefused(surface, seamChains(surface).back().halfEdges));
+}
+
 TEST(JoinHistory, whatWasRefusedMayBeTriedWhenAPanelHasChanged) {
 	CutSurface surface = threeStrips();
 	JoinHistory history;

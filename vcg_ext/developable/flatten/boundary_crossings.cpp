@@ -27,9 +27,9 @@ bool cross(const Eigen::Matrix2Xd& positions, const BoundarySegment& a, const Bo
 
 } // namespace
 
-std::vector<char> crossingPieces(const Eigen::Matrix2Xd& positions, std::vector<BoundarySegment> segments,
-								 int pieceCount) {
-	std::vector<char> crossing(pieceCount, 0);
+std::vector<PieceCrossing> crossingPieces(const Eigen::Matrix2Xd& positions,
+										  std::vector<BoundarySegment> segments, int pieceCount) {
+	std::vector<PieceCrossing> crossing(pieceCount);
 	if (segments.empty())
 		return crossing;
 	const double size = boxDiagonal(positions);
@@ -49,10 +49,12 @@ std::vector<char> crossingPieces(const Eigen::Matrix2Xd& positions, std::vector<
 									[&](const BoundarySegment& s) { return right(s) < left(segment); }),
 					 active.end());
 		for (const BoundarySegment& other : active) {
-			if (crossing[segment.piece] && crossing[other.piece])
+			PieceCrossing &one = crossing[segment.piece], &two = crossing[other.piece];
+			if ((one.crosses && two.crosses) || !cross(positions, segment, other, tolerance))
 				continue;
-			if (cross(positions, segment, other, tolerance))
-				crossing[segment.piece] = crossing[other.piece] = 1;
+			one.crosses = two.crosses = true;
+			if (segment.piece == other.piece)
+				one.itself = {segment.halfEdge, other.halfEdge};
 		}
 		active.push_back(segment);
 	}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 namespace developable::detail {
@@ -10,12 +11,18 @@ namespace developable::detail {
 struct BoundarySegment {
 	int start, end; ///< vertices
 	int piece;
+	int halfEdge;
 };
 
-/// Per piece, whether its boundary crosses itself or another's. A disk without flips whose boundary does not
-/// cross itself covers nothing twice. Segments are swept from left to right.
-/// \param positions  2 x vertices
-std::vector<char> crossingPieces(const Eigen::Matrix2Xd& positions, std::vector<BoundarySegment> segments,
-								 int pieceCount);
+struct PieceCrossing {
+	bool crosses = false;                 ///< itself or another piece
+	std::array<int, 2> itself = {-1, -1}; ///< two half edges where it crosses itself
+};
+
+/// Per piece, where its boundary crosses itself, or whether it does another's. A disk without flips whose
+/// boundary does not cross itself covers nothing twice. Segments are swept from left to right. \param
+/// positions  2 x vertices
+std::vector<PieceCrossing> crossingPieces(const Eigen::Matrix2Xd& positions,
+										  std::vector<BoundarySegment> segments, int pieceCount);
 
 } // namespace developable::detail

@@ -38,7 +38,8 @@ struct FlatPiece {
 	int worstTriangle = -1;  ///< where that is
 	std::array<int, 2> longestSide = {-1, -1}; ///< the ends of its longest seam, or side if it has none
 	int flippedFaces = 0;
-	bool overlapping = false; ///< with itself or another piece
+	bool overlapping = false;               ///< with itself or another piece
+	std::array<int, 2> crossing = {-1, -1}; ///< two half edges of its boundary that cross, if any do
 	bool converged = false;
 	int iterations = 0;
 };

@@ -92,11 +92,13 @@ void findOverlaps(const PatchAssembly& assembly, FlatPatterns& patterns) {
 	for (int h = 0; h < 3 * assembly.triangleCount(); ++h)
 		if (patterns.joinedHalfEdge[h] < 0)
 			segments.push_back({patterns.vertexAt(h), patterns.vertexAt(nextCorner(h)),
-								assembly.patchOfTriangle[triangleOf(h)]});
-	const std::vector<char> crossing =
+								assembly.patchOfTriangle[triangleOf(h)], h});
+	const std::vector<detail::PieceCrossing> crossing =
 		detail::crossingPieces(patterns.positions, std::move(segments), assembly.patchCount());
-	for (int piece = 0; piece < assembly.patchCount(); ++piece)
-		patterns.pieces[piece].overlapping = crossing[piece] != 0;
+	for (int piece = 0; piece < assembly.patchCount(); ++piece) {
+		patterns.pieces[piece].overlapping = crossing[piece].crosses;
+		patterns.pieces[piece].crossing = crossing[piece].itself;
+	}
 }
 
 /// What a user should know of a piece, in sentences.

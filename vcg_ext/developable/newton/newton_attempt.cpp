@@ -3,6 +3,7 @@
 #include "newton_attempt.h"
 
 #include "continuation.h"
+#include "pull_back.h"
 #include "restoration.h"
 #include "return_within_bound.h"
 
@@ -42,16 +43,15 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, Cont
 Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 	const Shape found = run.shape();
 	const double preferred = problem.preferredMove();
-	if (found.farthest <= preferred || found.farthest > problem.tuning().preferredReach * preferred)
+	const Ending pulledBack = pullBackWithinPreferred(problem, run);
+	if (pulledBack != Ending::Stuck)
+		return pulledBack;
+	if (found.farthest > problem.tuning().preferredReach * preferred)
 		return Ending::Reached;
 	const Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
-	const auto meanMove = [&](const Shape& shape) {
-		return problem.displacement(shape).colwise().norm().mean();
-	};
 	if (ending == Ending::Stopped)
 		return ending;
-	if (ending != Ending::Reached ||
-		meanMove(run.shape()) > problem.tuning().preferredPrice * meanMove(found))
+	if (ending != Ending::Reached || !problem.hardlyFarther(run.shape(), found))
 		run.goBackTo(found);
 	return Ending::Reached;
 }
@@ -63,6 +63,9 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 				   double& nearest) {
 	if (!run.farOff())
 		return ending == Ending::Reached ? withinPreferred(problem, run, steps) : ending;
+	const Ending pulledBack = pullBackWithin(problem, run, problem.goal().farthest);
+	if (pulledBack != Ending::Stuck)
+		return pulledBack;
 	ReturnWithinBound way(problem, run, steps, problem.goal().farthest);
 	const Ending ofReturn = way.run();
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)

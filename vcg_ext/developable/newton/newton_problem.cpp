@@ -25,6 +25,11 @@ Shape NewtonProblem::shapeAt(const Positions& positions) const {
 			farthestMove(assembly_, positions), goal_.reached(assembly_, defects)};
 }
 
+bool NewtonProblem::hardlyFarther(const Shape& shape, const Shape& other) const {
+	const auto mean = [&](const Shape& of) { return displacement(of).colwise().norm().mean(); };
+	return mean(shape) <= tuning_.preferredPrice * mean(other);
+}
+
 void NewtonProblem::weigh(const Eigen::VectorXd& masses) {
 	metric_.weigh(masses);
 	jacobian_.setPlaceMass(metric_.weight());

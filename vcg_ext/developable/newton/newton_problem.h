@@ -48,6 +48,9 @@ public:
 		return shape.positions - reference_.originalPositions;
 	}
 
+	/// Whether the mean displacement is at most a little longer than another's.
+	bool hardlyFarther(const Shape& shape, const Shape& other) const;
+
 	/// Makes places heavier, see BendingMetric.
 	void weigh(const Eigen::VectorXd& masses);
 

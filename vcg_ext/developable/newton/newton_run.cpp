@@ -19,6 +19,19 @@ std::string describeCurvature(double start, double left, int steps) {
 
 } // namespace
 
+void pullBack(const Positions& original, const Positions& from, Positions& move, double farthest) {
+	for (int place = 0; place < move.cols(); ++place) {
+		const Eigen::Vector3d displacement = from.col(place) + move.col(place) - original.col(place);
+		const double distance = displacement.norm();
+		if (!(distance > farthest))
+			continue;
+		// What rounding adds to a position stays below some last bits of its coordinates.
+		const double rounding =
+			8 * std::numeric_limits<double>::epsilon() * (original.col(place).norm() + farthest);
+		move.col(place) += (std::max(0.0, farthest - rounding) / distance - 1) * displacement;
+	}
+}
+
 NewtonRun::NewtonRun(const NewtonProblem& problem, const Positions& start, int maxIterations,
 					 const Progress& progress)
 	: problem_(problem), progress_(progress), maxIterations_(maxIterations), start_(start), lastNear_(start) {
@@ -48,7 +61,7 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 	double length = 1;
 	for (int halving = 0; halving <= halvings; ++halving, length /= 2) {
 		Positions move = length * direction;
-		pullBack(move, farthest);
+		pullBack(problem_.assembly().originalPositions, shape_.positions, move, farthest);
 		if (!problem_.soundness().spare(shape_.positions, move))
 			continue;
 		Shape next = problem_.shapeAt(shape_.positions + move);
@@ -58,21 +71,6 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 		}
 	}
 	return 0;
-}
-
-void NewtonRun::pullBack(Positions& move, double farthest) const {
-	const Positions& original = problem_.assembly().originalPositions;
-	for (int place = 0; place < move.cols(); ++place) {
-		const Eigen::Vector3d displacement =
-			shape_.positions.col(place) + move.col(place) - original.col(place);
-		const double distance = displacement.norm();
-		if (!(distance > farthest))
-			continue;
-		// What rounding adds to a position stays below some last bits of its coordinates.
-		const double rounding =
-			8 * std::numeric_limits<double>::epsilon() * (original.col(place).norm() + farthest);
-		move.col(place) += (std::max(0.0, farthest - rounding) / distance - 1) * displacement;
-	}
 }
 
 void NewtonRun::moveTo(Shape shape) {

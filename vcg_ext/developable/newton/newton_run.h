@@ -19,11 +19,19 @@ enum class Ending {
 	Stopped ///< by the user
 };
 
+/// Shortens a move such that no place ends farther from where it was originally.
+void pullBack(const Positions& original, const Positions& from, Positions& move, double farthest);
+
 /// A shape on its way to g = 0, with the number of steps that it has taken and may take.
 class NewtonRun {
 public:
 	NewtonRun(const NewtonProblem& problem, const Positions& start, int maxIterations,
 			  const Progress& progress);
+
+	/// Another, of the same problem.
+	NewtonRun elsewhere(const Positions& start, int maxIterations) const {
+		return {problem_, start, maxIterations, progress_};
+	}
 
 	const Shape& shape() const { return shape_; }
 	int iterations() const { return iterations_; }
@@ -64,8 +72,6 @@ public:
 
 private:
 	bool isNear() const { return shape_.farthest <= problem_.goal().farthest; }
-	/// Shortens a move such that no place ends farther from where it was.
-	void pullBack(Positions& move, double farthest) const;
 	void moveTo(Shape shape);
 
 	const NewtonProblem& problem_;

@@ -7,6 +7,7 @@
 #include "fair_shape.h"
 #include "normal_steps.h"
 #include "prolongation.h"
+#include "pull_back.h"
 #include "shortest_steps.h"
 
 #include <chrono>
@@ -30,17 +31,6 @@ Positions soundStart(const NewtonProblem& problem, const Positions& displacement
 			return start;
 	}
 	return original;
-}
-
-/// Steps push places against the bound on displacements that others could go without: makes those heavy.
-/// \return whether there are any
-bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape) {
-	const Eigen::VectorXd distances = problem.displacement(shape).colwise().norm();
-	const double limit = problem.tuning().returnAim * problem.goal().farthest;
-	const Eigen::VectorXd more =
-		(distances.array() > limit).select(problem.tuning().heavyPlace * problem.metric().placeMass(), 0);
-	problem.weigh(more);
-	return more.maxCoeff() > 0;
 }
 
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
@@ -73,8 +63,10 @@ NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const Curvatu
 /// With less room to move, for what the finest level adds.
 NewtonStrategy NewtonStrategy::coarser() const {
 	NewtonStrategy result = *this;
-	if (!isCoarse_)
+	if (!isCoarse_) {
 		result.goal_.farthest *= tuning_.coarseRoom;
+		result.tuning_.preferredMove *= tuning_.coarseRoom;
+	}
 	result.isCoarse_ = true;
 	return result;
 }
@@ -187,10 +179,13 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
 	const bool solved = coarse.ending == Ending::Reached;
 	Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
-	if (ending == Ending::Stuck && solved && weighPlacesAtBound(problem, run.shape())) {
+	if (ending == Ending::Stuck && solved &&
+		weighPlacesAtBound(problem, run.shape(), problem.goal().farthest).size() > 0) {
 		run.restart();
 		ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	}
+	if (ending == Ending::Reached && pullBackWithinPreferred(problem, run) == Ending::Stopped)
+		ending = Ending::Stopped;
 	NewtonOutcome outcome{ending,
 						  run.iterations(),
 						  run.nearest(),

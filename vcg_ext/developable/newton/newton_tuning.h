@@ -92,6 +92,10 @@ struct NewtonTuning {
 	double preferredMove = 0.02;  ///< share of the diagonal: less far is a bound that is kept if that is easy
 	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
 	double preferredReach = 1.3;  ///< of it: shapes farther away are taken as they are
+	double pullBackReach = 1.6;   ///< of a bound: from farther away places are not pulled back
+	double pullBackShare = 0.7;   ///< of the displacement, at the second try
+	int pullBackRounds = 4;       ///< a try, each with more heavy places
+	int pullBackSteps = 200;      ///< a try
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
 
 	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very

@@ -21,6 +21,9 @@ public:
 	/// \return whether it was joined at all
 	bool takeBack(CutSurface& surface, int panel);
 
+	/// No two panels will be joined to this one again.
+	void neverAgain(const CutSurface& surface, int panel) { takenBack_.insert(surface.trianglesOf(panel)); }
+
 	/// What could not be joined across some half edges can't be until one of the two panels changes.
 	void refuse(const CutSurface& surface, const std::vector<int>& halfEdges);
 	bool wasRefused(const CutSurface& surface, const std::vector<int>& halfEdges);

@@ -4,17 +4,20 @@
 
 #include "cut_report.h"
 #include "normal_clusters.h"
+#include "overlap_division.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
-#include "relief_darts.h"
 #include "seam_drawing.h"
 #include "selected_whole.h"
 #include "sewn_panels.h"
+#include "sewn_relief.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace developable::detail {
@@ -138,6 +141,19 @@ SewnExcess PanelPlan::sewnExcess() {
 	return [this] { return totalExcess(sewTogether(true)); };
 }
 
+/// Where some panels do not hold after that, what did before is the better.
+SewnPanels PanelPlan::joinedWithDarts() {
+	if (tests_->stopped() || !options_.darts || !options_.splitTriangles)
+		return divideUntilAllHold();
+	const PlannedSurface before = planned_;
+	joinWithDarts(planned_.surface, *tests_, sewnExcess());
+	SewnPanels sewn = sewTogether(false);
+	if (worstOf(sewn) < 0 || tests_->stopped())
+		return sewn;
+	planned_ = before;
+	return divideUntilAllHold();
+}
+
 /// Divides what does not hold together, and where darts do not help, in two each time.
 SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 40;
@@ -159,7 +175,7 @@ Progress PanelPlan::progressOfRest() {
 /// As few panels as can be, if these hold when they are sewn together, or soon do; else those that were
 /// joined greedily, which are more and hold sooner.
 void PanelPlan::joinUntilAllHold() {
-	constexpr int roundsOfFew = 4, rounds = 12;
+	constexpr int roundsOfFew = 8, rounds = 12;
 	joinPanels(planned_.surface, *tests_, history_);
 	const PlannedSurface joined = planned_;
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
@@ -176,25 +192,56 @@ void PanelPlan::joinUntilAllHold() {
 /// Panels that hold by themselves may not when they are sewn together with smooth seams: then the last join
 /// of the worst is taken back, and its halves may go to others. \return whether all hold
 bool PanelPlan::sewUntilAllHold(int rounds) {
+	constexpr double tighter = 0.95; // with every round: panels with more room hold sooner
 	reliefsLeft_ = mostReliefs;
+	bool mayJoin = false;
 	for (int round = 1; !tests_->stopped(); ++round) {
-		if (round > 1)
+		tests_->scaleLimits(std::pow(tighter, round - 1));
+		if (mayJoin)
 			joinPanels(planned_.surface, *tests_, history_);
 		if (tests_->stopped() || seamChains(planned_.surface).empty())
 			return true;
 		const PlannedSurface joined = planned_;
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
-		const int worst = worstOf(smoothSeams());
-		if (worst < 0)
+		const SewnPanels sewn = smoothSeams();
+		const std::vector<int> failing = worstFirst(sewn);
+		if (failing.empty())
 			return true;
 		PlannedSurface divided = joined;
+		mayJoin = sewn.overlaps.size() < failing.size();
 		if (round == rounds || tests_->stopped() ||
-			!takeBackLastJoin(divided.surface, panelBefore(joined, worst)))
+			!(mayJoin ? takeBackLastJoins(divided.surface, joined, failing)
+					  : divideOverlapping(divided.surface, joined, sewn)))
 			return false;
 		planned_ = std::move(divided);
 		dartTips_ = dartTips;
 	}
 	return false;
+}
+
+/// Of the worst panel and of those that are nearly as bad. \return whether there was any
+bool PanelPlan::takeBackLastJoins(CutSurface& surface, const PlannedSurface& joined,
+								  const std::vector<int>& failing) {
+	std::set<int> panels;
+	bool any = false;
+	for (const int panel : failing) {
+		const int before = panelBefore(joined, panel);
+		if (panels.insert(before).second && takeBackLastJoin(surface, before))
+			any = true;
+	}
+	return any;
+}
+
+/// Panels that fail only for they overlap themselves when laid flat are divided there.
+/// \return whether any could be
+bool PanelPlan::divideOverlapping(CutSurface& surface, const PlannedSurface& joined, const SewnPanels& sewn) {
+	bool any = false;
+	for (const auto& [panel, points] : sewn.overlaps) {
+		const int before = panelBefore(joined, panel);
+		history_.neverAgain(surface, before);
+		any = divideBetween(surface, before, points) || any;
+	}
+	return any;
 }
 
 /// The last that had two halves of a size to be seen. \return whether there was any
@@ -215,59 +262,15 @@ bool PanelPlan::takeBackLastJoin(CutSurface& surface, int panel) {
 	}
 }
 
-/// Panels that just fail to hold get darts where they do. A dart that makes it worse is taken out again, and
-/// a longer one is tried; where they do not help in the end all of them go.
+/// With darts where that makes all hold.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
-	constexpr int rounds = 8, patience = 3; // rounds that make it no better
-	constexpr double increase = 1.6;        // of a dart's length after one of these
-	constexpr double better = 0.95;         // share of the excess that a round may leave
-	int idle = 0;
-	double length = firstDartLength;
-	if (!options_.darts || !options_.splitTriangles)
+	constexpr std::size_t mostFailing = 3; // else panels are too large, and not just a little
+	if (!options_.darts || !options_.splitTriangles || worstFirst(sewn).size() > mostFailing)
 		return sewn;
-	const CutSurface start = planned_.surface;
-	SewnPanels sewnAtStart = sewn;
-	const std::size_t tipsAtStart = dartTips_.size();
-	for (int round = 0; round < rounds && idle < patience && !tests_->stopped() && worstOf(sewn) >= 0;
-		 ++round) {
-		if (reliefsLeft_-- <= 0)
-			break;
-		const CutSurface before = planned_.surface;
-		const std::vector<Eigen::Vector3d> tips = addDarts(sewn, length, idle > 0);
-		if (tips.empty())
-			break;
-		SewnPanels next = sewTogether(true);
-		if (!tests_->stopped() && totalExcess(next) < better * totalExcess(sewn)) {
-			dartTips_.insert(dartTips_.end(), tips.begin(), tips.end());
-			sewn = std::move(next);
-			length = firstDartLength;
-			idle = 0;
-		} else {
-			++idle;
-			planned_.surface = before;
-			length *= increase;
-		}
-	}
-	if (worstOf(sewn) < 0)
-		return sewn;
-	planned_.surface = start;
-	dartTips_.resize(tipsAtStart);
-	return sewnAtStart;
-}
-
-/// One in each panel that may hold with it, or in the worst only. \return their tips
-std::vector<Eigen::Vector3d> PanelPlan::addDarts(const SewnPanels& sewn, double length, bool onlyWorst) {
-	std::vector<Eigen::Vector3d> tips;
-	const int worst = worstOf(sewn);
-	const std::vector<char> held = keptTriangles(planned_, options_);
-	for (int panel = 0; panel < planned_.surface.panelCount(); ++panel) {
-		if (!wantsDart(sewn.panels[panel]) || (onlyWorst && panel != worst))
-			continue;
-		const Dart dart = cutDart(planned_.surface, panel, sewn.panels[panel].worstPoint, length, held);
-		if (dart.length > 0)
-			tips.push_back(dart.tip);
-	}
-	return tips;
+	return SewnRelief(
+			   planned_, options_, dartTips_, reliefsLeft_, [this] { return sewTogether(true); },
+			   [this] { return tests_->stopped(); })
+		.relieved(std::move(sewn));
 }
 
 /// The panel of a surface that was there before faces were split which has most of a panel that is there now.
@@ -293,7 +296,7 @@ SewnPanels PanelPlan::smoothSeams() {
 	const auto holds = [&](const SewnPanels& panels) {
 		return planned_.surface.usedPanelCount() <= before.surface.usedPanelCount() && worstOf(panels) < 0;
 	};
-	constexpr int rounds = 8;
+	constexpr int rounds = 4;
 	drawing.smoothen();
 	for (int round = 0; round < rounds && !tests_->stopped() && holds(sewn); ++round) {
 		const PlannedSurface safe = std::exchange(planned_, drawing.drawn());
@@ -312,9 +315,7 @@ CutResult PanelPlan::run() {
 	makeClusters();
 	clusters_ = planned_.surface.panels();
 	joinUntilAllHold();
-	if (!tests_->stopped() && options_.darts && options_.splitTriangles)
-		joinWithDarts(planned_.surface, *tests_, sewnExcess());
-	SewnPanels sewn = divideUntilAllHold();
+	SewnPanels sewn = joinedWithDarts();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {
 		joinToSoFew();
 		sewn = sewTogether(false);
@@ -334,7 +335,7 @@ void PanelPlan::joinToSoFew() {
 	constexpr int doublings = 4;
 	for (int i = 0;
 		 i < doublings && !tests_->stopped() && planned_.surface.usedPanelCount() > options_.maxPanels; ++i) {
-		tests_->relax(2);
+		tests_->scaleLimits(std::pow(2, i + 1));
 		history_.tryAllAgain();
 		joinPanels(planned_.surface, *tests_, history_);
 		if (options_.darts && options_.splitTriangles)

@@ -30,12 +30,15 @@ private:
 
 	SewnPanels sewTogether(bool brief);
 	SewnExcess sewnExcess();
+	SewnPanels joinedWithDarts();
 	SewnPanels divideUntilAllHold();
 	void joinUntilAllHold();
 	bool sewUntilAllHold(int rounds);
+	bool takeBackLastJoins(CutSurface& surface, const PlannedSurface& joined,
+						   const std::vector<int>& failing);
+	bool divideOverlapping(CutSurface& surface, const PlannedSurface& joined, const SewnPanels& sewn);
 	bool takeBackLastJoin(CutSurface& surface, int panel);
 	int panelBefore(const PlannedSurface& before, int panel) const;
-	std::vector<Eigen::Vector3d> addDarts(const SewnPanels& sewn, double length, bool onlyWorst);
 	SewnPanels relieved(SewnPanels sewn);
 	SewnPanels smoothSeams();
 	Progress progressOfRest();

@@ -34,8 +34,14 @@ PanelTests::PanelTests(std::vector<double> maxDisplacement, const PanelMaterial&
 	: maxDisplacement_(std::move(maxDisplacement)), material_(material), progress_(std::move(progress)) {}
 
 PanelLimits PanelTests::limitsOf(int patch) const {
-	const double greatest = relaxed_ * shareAlone * maxDisplacement_[patch];
+	const double greatest = scale_ * shareAlone * maxDisplacement_[patch];
 	return {greatest, meanOfGreatest * greatest, material_};
+}
+
+void PanelTests::scaleLimits(double factor) {
+	if (factor != scale_)
+		known_.clear();
+	scale_ = factor;
 }
 
 std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {

@@ -30,11 +30,8 @@ public:
 
 	/// Within what a patch's panels have to stay, by themselves: sewn together they will move a little more.
 	PanelLimits limitsOf(int patch) const;
-	/// All limits are so many times what they were.
-	void relax(double factor) {
-		relaxed_ *= factor;
-		known_.clear();
-	}
+	/// All limits are so many times what they were at first.
+	void scaleLimits(double factor);
 
 	std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials);
 
@@ -54,7 +51,7 @@ private:
 	const std::vector<double> maxDisplacement_;
 	const PanelMaterial material_;
 	const Progress progress_;
-	double relaxed_ = 1;
+	double scale_ = 1;
 	double work_ = 0;
 	std::map<std::pair<std::vector<double>, std::vector<int>>, PanelVerdict> known_; // by vertices, triangles
 	std::atomic<bool> stopped_{false};

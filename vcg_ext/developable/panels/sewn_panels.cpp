@@ -83,13 +83,25 @@ void measurePanels(const PatchAssembly& assembly, const Positions& positions, co
 
 /// Panels that overlap themselves when laid flat are none, however developable.
 void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
-					const std::vector<int>& panelOfPatch, std::vector<CutPanel>& panels) {
+					const std::vector<int>& panelOfPatch, SewnPanels& result) {
 	const FlatPatterns patterns = flattenPatches(assembly, positions);
-	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch)
-		if (patterns.pieces[patch].overlapping) {
-			panels[panelOfPatch[patch]].developable = false;
-			panels[panelOfPatch[patch]].reason = Reason::NeedsCut;
-		}
+	const auto pointAt = [&](int h) -> Eigen::Vector3d {
+		return (assembly.originalPositions.col(assembly.placeAt(h)) +
+				assembly.originalPositions.col(assembly.placeAt(nextCorner(h)))) /
+			   2;
+	};
+	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch) {
+		const FlatPiece& piece = patterns.pieces[patch];
+		if (!piece.overlapping)
+			continue;
+		CutPanel& panel = result.panels[panelOfPatch[patch]];
+		panel.developable = false;
+		panel.reason = Reason::NeedsCut;
+		if (piece.crossing[0] < 0)
+			continue;
+		panel.worstPoint = pointAt(piece.crossing[0]);
+		result.overlaps[panelOfPatch[patch]] = {panel.worstPoint, pointAt(piece.crossing[1])};
+	}
 }
 
 /// \param otherwise  what is wrong where it does not hold
@@ -102,17 +114,17 @@ void judge(CutPanel& panel, bool holds, Reason otherwise, double limit) {
 /// Zero strain.
 void judgeCurvature(const PatchAssembly& assembly, const Positions& positions,
 					const ConstrainedNewtonOptions& options, const std::vector<int>& panelOfPatch,
-					const std::vector<double>& limits, std::vector<CutPanel>& panels) {
+					const std::vector<double>& limits, SewnPanels& result) {
 	bool all = true;
 	for (const int panel : panelOfPatch) {
-		CutPanel& report = panels[panel];
+		CutPanel& report = result.panels[panel];
 		const bool flat = report.curvatureAfter <= options.curvatureTolerance &&
 						  report.maxAngleDefect <= options.angleTolerance;
 		judge(report, flat, Reason::NeedsCut, limits[panel]);
 		all = all && report.developable;
 	}
 	if (all)
-		refuseOverlaps(assembly, positions, panelOfPatch, panels);
+		refuseOverlaps(assembly, positions, panelOfPatch, result);
 }
 
 /// Strain within bounds.
@@ -141,10 +153,13 @@ double excess(const CutPanel& panel) {
 
 } // namespace
 
+bool overlaps(const CutPanel& panel) {
+	return panel.triangles > 0 && !panel.developable && panel.reason == Reason::NeedsCut &&
+		   panel.curvatureAfter <= ConstrainedNewtonOptions().curvatureTolerance;
+}
+
 bool wantsDart(const CutPanel& panel) {
-	const bool overlaps = panel.reason == Reason::NeedsCut &&
-						  panel.curvatureAfter <= ConstrainedNewtonOptions().curvatureTolerance;
-	return excess(panel) > 0 && panel.reason != Reason::BeyondBounds && !overlaps;
+	return excess(panel) > 0 && panel.reason != Reason::BeyondBounds && !overlaps(panel);
 }
 
 double totalExcess(const SewnPanels& sewn) {
@@ -154,11 +169,19 @@ double totalExcess(const SewnPanels& sewn) {
 	return sum;
 }
 
+std::vector<int> worstFirst(const SewnPanels& sewn) {
+	std::vector<int> panels;
+	for (int panel = 0; panel < static_cast<int>(sewn.panels.size()); ++panel)
+		if (excess(sewn.panels[panel]) > 0)
+			panels.push_back(panel);
+	std::stable_sort(panels.begin(), panels.end(),
+					 [&](int a, int b) { return excess(sewn.panels[a]) > excess(sewn.panels[b]); });
+	return panels;
+}
+
 int worstOf(const SewnPanels& sewn) {
-	const auto worst =
-		std::max_element(sewn.panels.begin(), sewn.panels.end(),
-						 [](const CutPanel& a, const CutPanel& b) { return excess(a) < excess(b); });
-	return excess(*worst) > 0 ? static_cast<int>(worst - sewn.panels.begin()) : -1;
+	const std::vector<int> panels = worstFirst(sewn);
+	return panels.empty() ? -1 : panels.front();
 }
 
 std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn) {
@@ -191,7 +214,7 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	if (material.bounds.any())
 		judgeStrain(assembly, positions, material, panelOfPatch, limits, result.panels);
 	else
-		judgeCurvature(assembly, positions, options, panelOfPatch, limits, result.panels);
+		judgeCurvature(assembly, positions, options, panelOfPatch, limits, result);
 	return result;
 }
 

@@ -5,11 +5,16 @@
 #include "cut_into_panels.h"
 #include "cut_surface.h"
 
+#include <array>
+#include <map>
+
 namespace developable::detail {
 
 /// What becomes of the panels, sewn together.
 struct SewnPanels {
 	std::vector<CutPanel> panels; ///< by the surface's numbers of panels; empty ones have no triangles
+	/// Of those that overlap themselves when laid flat two points that lie upon each other then.
+	std::map<int, std::array<Eigen::Vector3d, 2>> overlaps;
 	double meanDisplacement = 0;
 	double maxDisplacement = 0;
 };
@@ -20,8 +25,14 @@ double totalExcess(const SewnPanels& sewn);
 /// The panel that holds least, of those that do not; -1: all hold.
 int worstOf(const SewnPanels& sewn);
 
+/// All panels that do not hold, worst first.
+std::vector<int> worstFirst(const SewnPanels& sewn);
+
 /// Where what does not hold is worst, per panel of those.
 std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn);
+
+/// Whether it is developable, but overlaps itself when laid flat.
+bool overlaps(const CutPanel& panel);
 
 /// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
 bool wantsDart(const CutPanel& panel);

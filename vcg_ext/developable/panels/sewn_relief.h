@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sewn_relief.h: darts where panels that are sewn together just fail to hold.
+#pragma once
+
+#include "planned_surface.h"
+#include "relief_darts.h"
+#include "sewn_panels.h"
+
+#include <functional>
+#include <set>
+
+namespace developable::detail {
+
+/// Panels that just fail to hold get darts where they do. A dart that makes it worse is taken out again, and
+/// a longer one is tried; one that makes its panel overlap itself when laid flat is taken out for good, for
+/// the surface is a saddle there. Where darts do not help in the end all of them go.
+class SewnRelief {
+public:
+	using Sewing = std::function<SewnPanels()>; ///< of the surface as it is; without panels when stopped
+
+	/// \param tips  of darts: gets those that stay
+	/// \param sewingsLeft  how often all may be sewn together: that takes long
+	SewnRelief(PlannedSurface& planned, const CutOptions& options, std::vector<Eigen::Vector3d>& tips,
+			   int& sewingsLeft, Sewing sew, std::function<bool()> stopped);
+
+	/// \param sewn  the surface as it is
+	/// \return      the surface as it is afterwards
+	SewnPanels relieved(SewnPanels sewn);
+
+private:
+	/// One more dart in each panel that may hold with it, or in the worst only.
+	struct Round {
+		double length = firstDartLength;
+		bool onlyWorst = false;
+	};
+
+	/// \return whether it got better: then the surface has the darts
+	bool tryRound(const Round& round, SewnPanels& sewn);
+	/// \return the panels that got one
+	std::set<int> addDarts(const Round& round, const SewnPanels& sewn);
+	/// \return whether any of these do now and did not before: these get no dart any more
+	bool overlapNow(const std::set<int>& panels, const SewnPanels& before, const SewnPanels& now);
+
+	PlannedSurface& planned_;
+	const std::vector<char> held_; // per triangle
+	std::vector<Eigen::Vector3d>& tips_;
+	int& sewingsLeft_;
+	const Sewing sew_;
+	const std::function<bool()> stopped_;
+	std::vector<Eigen::Vector3d> tipsOfRound_;
+	std::set<int> withoutDarts_;
+};
+
+} // namespace developable::detail
