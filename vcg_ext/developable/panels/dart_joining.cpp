@@ -13,6 +13,8 @@ namespace {
 /// Of its length, how much of a seam is tried to stay as a dart.
 constexpr double shares[] = {0.7, 0.5, 0.35, 0.2, 0.1};
 
+constexpr double workBesideOthers = 0.3; ///< of the work that was done before
+
 /// A part of a seam that might go.
 struct Part {
 	SeamChain chain;
@@ -24,10 +26,11 @@ struct Part {
 class DartJoining {
 public:
 	DartJoining(CutSurface& surface, PanelTests& tests, const SewnExcess& excess)
-		: surface_(surface), tests_(tests), sewn_(surface, excess) {}
+		: surface_(surface), tests_(tests), sewn_(surface, excess),
+		  mostWork_(tests.workWith(workBesideOthers)) {}
 
 	void run() {
-		while (joinOne())
+		while (tests_.work() < mostWork_ && joinOne())
 			continue;
 	}
 
@@ -46,6 +49,8 @@ private:
 		for (std::size_t first = 0; first < parts.size(); first += batch) {
 			const std::vector<Part> some(parts.begin() + first,
 										 parts.begin() + std::min(parts.size(), first + batch));
+			if (tests_.work() > mostWork_)
+				return false;
 			if (!tests_.mayGoOn(0.8,
 								std::to_string(parts.size() - first) + " seams to try to shorten to darts"))
 				return false;
@@ -109,6 +114,7 @@ private:
 	CutSurface& surface_;
 	PanelTests& tests_;
 	SewnJoining sewn_;
+	const double mostWork_;
 	std::set<std::array<int, 4>> failures_;
 };
 

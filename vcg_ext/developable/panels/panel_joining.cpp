@@ -13,7 +13,8 @@ namespace {
 /// not change another; the number is fixed, so that the outcome does not depend on the machine.
 constexpr int batchSize = 4;
 
-constexpr double smallShare = 0.15; ///< of a patch's area
+constexpr double smallShare = 0.05; ///< of a patch's area
+constexpr int mostFailures = 6;     ///< of joins that were sewn together
 
 class Joining {
 public:
@@ -83,6 +84,8 @@ bool SewnJoining::join(const std::vector<int>& halfEdges) {
 		surface_.join(halfEdges);
 		return true;
 	}
+	if (failures_ >= mostFailures)
+		return false;
 	if (before_ < 0)
 		before_ = excess_();
 	CutSurface saved = surface_; // with the numbers of its panels, by which failures are known
@@ -93,6 +96,7 @@ bool SewnJoining::join(const std::vector<int>& halfEdges) {
 		return true;
 	}
 	surface_ = std::move(saved);
+	++failures_;
 	return false;
 }
 

@@ -13,7 +13,8 @@ namespace developable::detail {
 /// How far the panels of a surface are from becoming developable when they are sewn together; 0: they do.
 using SewnExcess = std::function<double()>;
 
-/// Joins that are only kept when the panels, sewn together, are no worse than before.
+/// Joins that are only kept when the panels, sewn together, are no worse than before. Sewing takes long:
+/// after some that were worse no more are tried.
 class SewnJoining {
 public:
 	SewnJoining(CutSurface& surface, SewnExcess excess) : surface_(surface), excess_(std::move(excess)) {}
@@ -26,6 +27,7 @@ private:
 	CutSurface& surface_;
 	const SewnExcess excess_;
 	double before_ = -1; // not known
+	int failures_ = 0;
 };
 
 /// Joins panels across whole seams, greedily: those whose union is a panel by itself.
