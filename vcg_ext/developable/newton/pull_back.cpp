@@ -32,8 +32,8 @@ Eigen::VectorXd weighPlacesAtBound(NewtonProblem& problem, const Shape& shape, d
 	const Eigen::VectorXd distances =
 		(shape.positions - problem.assembly().originalPositions).colwise().norm();
 	const NewtonTuning& tuning = problem.tuning();
-	const Eigen::VectorXd more = (distances.array() > tuning.returnAim * bound)
-									 .select(tuning.heavyPlace * problem.metric().placeMass(), 0);
+	Eigen::VectorXd more = (distances.array() > tuning.returnAim * bound)
+							   .select(tuning.heavyPlace * problem.metric().placeMass(), 0);
 	if (more.maxCoeff() <= 0)
 		return {};
 	problem.weigh(more);

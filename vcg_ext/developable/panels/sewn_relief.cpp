@@ -15,7 +15,7 @@ SewnPanels SewnRelief::relieved(SewnPanels sewn) {
 	constexpr int rounds = 8, patience = 3; // rounds that make it no better
 	constexpr double increase = 1.6;        // of a dart's length after one of these
 	const CutSurface start = planned_.surface;
-	const SewnPanels sewnAtStart = sewn;
+	SewnPanels sewnAtStart = sewn;
 	const std::size_t tipsAtStart = tips_.size();
 	Round round;
 	int idle = 0;
