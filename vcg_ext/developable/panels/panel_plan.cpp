@@ -189,8 +189,8 @@ void PanelPlan::joinUntilAllHold() {
 	sewUntilAllHold(rounds);
 }
 
-/// Panels that hold by themselves may not when they are sewn together with smooth seams: then the last join
-/// of the worst is taken back, and its halves may go to others. \return whether all hold
+/// Panels that hold by themselves may not when they are sewn together with smooth seams: then the last joins
+/// of those that do not are taken back, and halves may go to others. \return whether all hold
 bool PanelPlan::sewUntilAllHold(int rounds) {
 	constexpr double tighter = 0.95; // with every round: panels with more room hold sooner
 	reliefsLeft_ = mostReliefs;
@@ -219,7 +219,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 	return false;
 }
 
-/// Of the worst panel and of those that are nearly as bad. \return whether there was any
+/// Of all panels that do not hold. \return whether there was any
 bool PanelPlan::takeBackLastJoins(CutSurface& surface, const PlannedSurface& joined,
 								  const std::vector<int>& failing) {
 	std::set<int> panels;

@@ -16,7 +16,7 @@ namespace developable::detail {
 /// the surface is a saddle there. Where darts do not help in the end all of them go.
 class SewnRelief {
 public:
-	using Sewing = std::function<SewnPanels()>; ///< of the surface as it is; without panels when stopped
+	using Sewing = std::function<SewnPanels()>; ///< of the surface as it is
 
 	/// \param tips  of darts: gets those that stay
 	/// \param sewingsLeft  how often all may be sewn together: that takes long
