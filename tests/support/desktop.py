@@ -81,22 +81,37 @@ class Desktop:
         self.environment = dict(os.environ)
 
     def __enter__(self) -> Desktop:
+        starts = 3  # a screen that has said its number does, rarely, not answer
+        while not self._start_screen():
+            starts -= 1
+            assert starts, "Xvfb did not start"
+            self.__exit__()
+        self._start(["openbox"])
+        # Windows that are there before their manager may never be shown.
+        wait_for("the window manager", lambda: int(self.xdotool("get_num_desktops") or 0))
+        return self
+
+    def _start_screen(self) -> bool:
+        """Whether it answers."""
         width, height = SIZE
         read, write = os.pipe()
         screen = ["-screen", "0", f"{width}x{height}x24", "-fbdir", str(self.folder), "-nolisten", "tcp"]
-        self._start(["Xvfb", "-displayfd", str(write), *screen], pass_fds=(write,))
+        # The screen must not begin anew when its first program ends.
+        self._start(["Xvfb", "-displayfd", str(write), "-noreset", *screen], pass_fds=(write,))
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
-        assert number, "Xvfb did not start"
         self.environment |= {
             "DISPLAY": f":{number}",
             "HOME": str(self.folder),  # programs begin as on their first day
             "XDG_RUNTIME_DIR": str(self.folder),
             "LIBGL_ALWAYS_SOFTWARE": "1",
         }
-        self._start(["openbox"])
-        return self
+        for _ in range(50):
+            if self.xdotool("getdisplaygeometry").split() == [str(width), str(height)]:
+                return True
+            time.sleep(0.1)
+        return False
 
     def __exit__(self, *_: object) -> None:
         for process in reversed(self.processes):
