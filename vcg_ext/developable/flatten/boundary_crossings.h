@@ -20,8 +20,8 @@ struct PieceCrossing {
 };
 
 /// Per piece, where its boundary crosses itself, or whether it does another's. A disk without flips whose
-/// boundary does not cross itself covers nothing twice. Segments are swept from left to right. \param
-/// positions  2 x vertices
+/// boundary does not cross itself covers nothing twice. Segments are swept from left to right.
+/// \param positions  2 x vertices
 std::vector<PieceCrossing> crossingPieces(const Eigen::Matrix2Xd& positions,
 										  std::vector<BoundarySegment> segments, int pieceCount);
 

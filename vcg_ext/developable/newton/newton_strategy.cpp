@@ -178,12 +178,7 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 	const Positions moved = level.reference().originalPositions + displacement - assembly.originalPositions;
 	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
 	const bool solved = coarse.ending == Ending::Reached;
-	Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
-	if (ending == Ending::Stuck && solved &&
-		weighPlacesAtBound(problem, run.shape(), problem.goal().farthest).size() > 0) {
-		run.restart();
-		ending = NormalSteps(problem, run, problem.goal().farthest).run();
-	}
+	Ending ending = stepsWithin(problem, run, problem.goal().farthest, solved ? 2 : 1);
 	if (ending == Ending::Reached && pullBackWithinPreferred(problem, run) == Ending::Stopped)
 		ending = Ending::Stopped;
 	NewtonOutcome outcome{ending,

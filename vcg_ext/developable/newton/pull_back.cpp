@@ -8,36 +8,27 @@ namespace developable::detail {
 
 namespace {
 
-/// From where a run is to g = 0 within the bound, from the start again whenever more places are heavy.
-Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
-	Eigen::VectorXd added = Eigen::VectorXd::Zero(problem.assembly().placeCount());
-	Ending ending = Ending::Stuck;
-	for (int round = 0; round < problem.tuning().pullBackRounds && ending == Ending::Stuck; ++round) {
-		if (round > 0) {
-			const Eigen::VectorXd more = weighPlacesAtBound(problem, run.shape(), bound);
-			if (more.size() == 0)
-				break;
-			added += more;
-			run.restart();
-		}
-		ending = NormalSteps(problem, run, bound).run();
-	}
-	problem.weigh(-added);
-	return ending;
+/// Steps push places against a bound that others could go without: makes those heavy.
+/// \return whether there are any
+bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape, double bound) {
+	const Eigen::VectorXd distances =
+		(shape.positions - problem.assembly().originalPositions).colwise().norm();
+	const NewtonTuning& tuning = problem.tuning();
+	const Eigen::VectorXd more = (distances.array() > tuning.returnAim * bound)
+									 .select(tuning.heavyPlace * problem.metric().placeMass(), 0);
+	problem.weigh(more);
+	return more.maxCoeff() > 0;
 }
 
 } // namespace
 
-Eigen::VectorXd weighPlacesAtBound(NewtonProblem& problem, const Shape& shape, double bound) {
-	const Eigen::VectorXd distances =
-		(shape.positions - problem.assembly().originalPositions).colwise().norm();
-	const NewtonTuning& tuning = problem.tuning();
-	Eigen::VectorXd more = (distances.array() > tuning.returnAim * bound)
-							   .select(tuning.heavyPlace * problem.metric().placeMass(), 0);
-	if (more.maxCoeff() <= 0)
-		return {};
-	problem.weigh(more);
-	return more;
+Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rounds) {
+	for (int round = 1;; ++round) {
+		const Ending ending = NormalSteps(problem, run, bound).run();
+		if (ending != Ending::Stuck || round == rounds || !weighPlacesAtBound(problem, run.shape(), bound))
+			return ending;
+		run.restart();
+	}
 }
 
 Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
@@ -52,7 +43,9 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 		if (!problem.soundness().spare(original, move))
 			continue;
 		NewtonRun back = run.elsewhere(original + move, tuning.pullBackSteps);
-		const Ending ending = stepsWithin(problem, back, bound);
+		const Eigen::VectorXd weights = problem.metric().weight();
+		const Ending ending = stepsWithin(problem, back, bound, tuning.pullBackRounds);
+		problem.weigh(weights - problem.metric().weight());
 		if (ending == Ending::Reached)
 			run.goBackTo(back.shape());
 		if (ending == Ending::Reached || ending == Ending::Stopped)

@@ -6,6 +6,11 @@
 
 namespace developable::detail {
 
+/// Steps along the normals that keep a bound on displacements. Where they are stuck, places at the bound
+/// become heavy, and stay so, and the run begins again: it goes so many rounds at most.
+/// \param bound  from the original, length
+Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rounds);
+
 /// From the developable shape of a run to one near it whose places stay within a bound: those beyond it are
 /// pulled back, and steps along the normals remove the curvature that this brings. Where places at the bound
 /// hold them up, these become heavy. A smaller share of the whole displacement is tried, too: its peaks are
@@ -16,9 +21,5 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound);
 
 /// The same for how far a place had better move at most, where the mean displacement hardly grows by it.
 Ending pullBackWithinPreferred(NewtonProblem& problem, NewtonRun& run);
-
-/// Makes the places heavy that are at a bound, which push others against it that could go without.
-/// \return by how much, per place; empty where there are none
-Eigen::VectorXd weighPlacesAtBound(NewtonProblem& problem, const Shape& shape, double bound);
 
 } // namespace developable::detail

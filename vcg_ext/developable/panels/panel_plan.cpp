@@ -267,9 +267,8 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	constexpr std::size_t mostFailing = 3; // else panels are too large, and not just a little
 	if (!options_.darts || !options_.splitTriangles || worstFirst(sewn).size() > mostFailing)
 		return sewn;
-	return SewnRelief(
-			   planned_, options_, dartTips_, reliefsLeft_, [this] { return sewTogether(true); },
-			   [this] { return tests_->stopped(); })
+	return SewnRelief(planned_, options_, *tests_, dartTips_, reliefsLeft_,
+					  [this] { return sewTogether(true); })
 		.relieved(std::move(sewn));
 }
 

@@ -37,9 +37,8 @@ bool overlaps(const CutPanel& panel);
 /// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
 bool wantsDart(const CutPanel& panel);
 
-/// \param mesh             the panels as the user will have them: what comes out depends a little on the
-/// order
-///                         of vertices; its `face` are triangles of the surface
+/// \param mesh             the panels as the user will have them: what comes out depends a little on
+///                         the order of vertices; its `face` are triangles of the surface
 /// \param maxDisplacement  per patch of the surface
 /// \param material         without any strain all have to become developable
 /// \param brief            a run that gives up early

@@ -6,10 +6,10 @@
 
 namespace developable::detail {
 
-SewnRelief::SewnRelief(PlannedSurface& planned, const CutOptions& options, std::vector<Eigen::Vector3d>& tips,
-					   int& sewingsLeft, Sewing sew, std::function<bool()> stopped)
-	: planned_(planned), held_(keptTriangles(planned, options)), tips_(tips), sewingsLeft_(sewingsLeft),
-	  sew_(std::move(sew)), stopped_(std::move(stopped)) {}
+SewnRelief::SewnRelief(PlannedSurface& planned, const CutOptions& options, const PanelTests& tests,
+					   std::vector<Eigen::Vector3d>& tips, int& sewingsLeft, Sewing sew)
+	: planned_(planned), held_(keptTriangles(planned, options)), tests_(tests), tips_(tips),
+	  sewingsLeft_(sewingsLeft), sew_(std::move(sew)) {}
 
 SewnPanels SewnRelief::relieved(SewnPanels sewn) {
 	constexpr int rounds = 8, patience = 3; // rounds that make it no better
@@ -19,8 +19,8 @@ SewnPanels SewnRelief::relieved(SewnPanels sewn) {
 	const std::size_t tipsAtStart = tips_.size();
 	Round round;
 	int idle = 0;
-	for (int i = 0; i < rounds && idle < patience && sewingsLeft_ > 0 && !stopped_() && worstOf(sewn) >= 0;
-		 ++i) {
+	for (int i = 0;
+		 i < rounds && idle < patience && sewingsLeft_ > 0 && !tests_.stopped() && worstOf(sewn) >= 0; ++i) {
 		if (tryRound(round, sewn)) {
 			idle = 0;
 			round = {};
@@ -46,7 +46,7 @@ bool SewnRelief::tryRound(const Round& round, SewnPanels& sewn) {
 		if (panels.empty() || sewingsLeft_-- <= 0)
 			break;
 		SewnPanels next = sew_();
-		if (stopped_())
+		if (tests_.stopped())
 			break;
 		if (!overlapNow(panels, sewn, next)) {
 			if (totalExcess(next) >= better * totalExcess(sewn))

@@ -2,6 +2,7 @@
 // sewn_relief.h: darts where panels that are sewn together just fail to hold.
 #pragma once
 
+#include "panel_tests.h"
 #include "planned_surface.h"
 #include "relief_darts.h"
 #include "sewn_panels.h"
@@ -20,8 +21,8 @@ public:
 
 	/// \param tips  of darts: gets those that stay
 	/// \param sewingsLeft  how often all may be sewn together: that takes long
-	SewnRelief(PlannedSurface& planned, const CutOptions& options, std::vector<Eigen::Vector3d>& tips,
-			   int& sewingsLeft, Sewing sew, std::function<bool()> stopped);
+	SewnRelief(PlannedSurface& planned, const CutOptions& options, const PanelTests& tests,
+			   std::vector<Eigen::Vector3d>& tips, int& sewingsLeft, Sewing sew);
 
 	/// \param sewn  the surface as it is
 	/// \return      the surface as it is afterwards
@@ -43,10 +44,10 @@ private:
 
 	PlannedSurface& planned_;
 	const std::vector<char> held_; // per triangle
+	const PanelTests& tests_;      // which know of a stop
 	std::vector<Eigen::Vector3d>& tips_;
 	int& sewingsLeft_;
 	const Sewing sew_;
-	const std::function<bool()> stopped_;
 	std::vector<Eigen::Vector3d> tipsOfRound_;
 	std::set<int> withoutDarts_;
 };
