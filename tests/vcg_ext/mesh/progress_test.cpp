@@ -71,6 +71,12 @@ TEST(Progress, StopIsPassedOn) {
 		EXPECT_FALSE(mayGoOn(progress, 0.5, ""));
 	}
 	EXPECT_EQ(listener.heard.size(), 6u);
+	listener.answer = false;
+	const Progress all = neverBack(whole);
+	EXPECT_FALSE(all(0.5, ""));
+	listener.answer = true;
+	EXPECT_FALSE(all(0.6, "")); // other parts of the run have to hear of it, too
+	EXPECT_EQ(listener.heard.size(), 7u);
 }
 
 TEST(Progress, WithoutAListenerNobodyIsCalledAndTheRunGoesOn) {

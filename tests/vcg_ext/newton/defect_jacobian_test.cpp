@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/newton/bending_metric.h"
 #include "developable/newton/defect_jacobian.h"
+#include "support/corkscrew.h"
 #include "support/finite_differences.h"
 #include "support/newton_checks.h"
 
@@ -45,21 +46,6 @@ TEST(DefectJacobian, AgreesWithCentralDifferences) {
 			  1e-12 * product.norm());
 }
 
-/// A fan of triangles round a border vertex whose angles add up to more than 2π: a corkscrew.
-TriangleMesh corkscrew(double angle) {
-	const int triangles = 8;
-	Positions positions(3, triangles + 2);
-	positions.col(0).setZero();
-	for (int i = 0; i <= triangles; ++i) {
-		const double at = angle * i / triangles;
-		positions.col(1 + i) << std::cos(at), std::sin(at), 0.05 * i;
-	}
-	Eigen::Matrix3Xi fan(3, triangles);
-	for (int i = 0; i < triangles; ++i)
-		fan.col(i) << 0, 1 + i, 2 + i;
-	return makeMesh(positions, fan);
-}
-
 TEST(DefectJacobian, SeesABorderThatOverlapsItself) {
 	for (const double angle : {6.0, 6.6}) {
 		const PatchAssembly assembly = assembled(corkscrew(angle));
@@ -75,6 +61,15 @@ TEST(DefectJacobian, SeesABorderThatOverlapsItself) {
 		EXPECT_LE((gradient - differences).norm(), 1e-5 * differences.norm());
 		EXPECT_EQ(gradient.norm() > 0, angle > 6.3);
 	}
+}
+
+TEST(DefectJacobian, SeesABorderThatComesToOverlapItself) {
+	const PatchAssembly assembly = assembled(corkscrew(4));
+	const Positions shape = corkscrew(6.6).positions;
+	detail::DefectJacobian jacobian(assembly, detail::placeMasses(assembly), 0.1);
+	jacobian.linearize(shape);
+	EXPECT_GT(jacobian.scaled(flatDefects(assembly, shape), shape).head(1).norm(), 0.1);
+	EXPECT_GT(jacobian.applyTransposed(Eigen::VectorXd::Unit(jacobian.rowCount(), 0)).norm(), 0);
 }
 
 TEST(DefectJacobian, ForeseesWhichBordersAStepWouldBend) {

@@ -183,5 +183,31 @@ TEST(LargestDisplacement, IsPulledBackOnTheFinestLevelToo) {
 	EXPECT_GE(lowered, 3);
 }
 
+TEST(LargestDisplacement, IsToldFromTheWayWhereOnlyThatIsAsked) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, steepBump));
+	ConstrainedNewtonOptions options;
+	options.maxDisplacement = 0.5;
+	Positions free = assembly.originalPositions;
+	ASSERT_EQ(constrainedNewton(assembly, free, options).status, Status::Converged);
+	const double mean = meanDisplacement(assembly, free);
+
+	options.tuning.wayMean = 1.2 * mean / options.maxDisplacement;
+	Positions near = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, near, options).status, Status::Converged);
+	EXPECT_TRUE(near == free); // a way that is short enough is the same
+
+	options.tuning.wayMean = 0.5 * mean / options.maxDisplacement;
+	Positions tooFar = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, tooFar, options).status, Status::NeedsCut);
+	EXPECT_LT(meanDisplacement(assembly, tooFar), mean);
+	for (const int coarsest : {100, 1500}) { // on coarser levels, too
+		options.tuning.coarsest = coarsest;
+		options.tuning.wayMean = 1e6;
+		options.tuning.wayFarthest = 0.1;
+		tooFar = assembly.originalPositions;
+		EXPECT_EQ(constrainedNewton(assembly, tooFar, options).status, Status::NeedsCut);
+	}
+}
+
 } // namespace
 } // namespace developable::test

@@ -43,5 +43,11 @@ TEST(Verdicts, AreTheSameByIteration) {
 	expectVerdicts(options);
 }
 
+TEST(Verdicts, AreTheSameInAllCoordinatesAtOnce) {
+	ConstrainedNewtonOptions options;
+	options.tuning.slowSystem = options.tuning.slowStiffSystem = 0;
+	expectVerdicts(options);
+}
+
 } // namespace
 } // namespace developable::test

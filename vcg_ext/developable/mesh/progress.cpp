@@ -18,9 +18,14 @@ Progress partOf(const Progress& progress, double begin, double end, const std::s
 Progress neverBack(const Progress& progress) {
 	if (!progress)
 		return {};
-	return [progress, most = std::make_shared<double>(0)](double fraction, const std::string& message) {
-		*most = std::max(*most, fraction);
-		return progress(*most, message);
+	struct Said {
+		double most = 0;
+		bool stop = false;
+	};
+	return [progress, said = std::make_shared<Said>()](double fraction, const std::string& message) {
+		said->most = std::max(said->most, fraction);
+		said->stop = said->stop || !progress(said->most, message);
+		return !said->stop;
 	};
 }
 

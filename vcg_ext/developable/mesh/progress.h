@@ -20,7 +20,7 @@ inline bool mayGoOn(const Progress& progress, double fractionDone, const std::st
 /// \param prefix  of its messages
 Progress partOf(const Progress& progress, double begin, double end, const std::string& prefix = "");
 
-/// For a run whose parts may begin again: what is done never gets less.
+/// For a run whose parts may begin again: what is done never gets less, and a stop holds for all of them.
 Progress neverBack(const Progress& progress);
 
 } // namespace developable

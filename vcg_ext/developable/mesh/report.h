@@ -42,15 +42,16 @@ inline std::string describe(Status status) {
 
 /// What there is to say of a status beyond its own words. The numbers are part of the interface.
 enum class Reason {
-	AsStatus = 0,     ///< nothing
-	NotLowered = 1,   ///< the local method stalled: G has not fallen for long
-	NothingMoves = 2, ///< the local method stalled: no vertex can move
-	NeedsCut = 3,     ///< so many patches need a cut, and where
-	Unsolvable = 4,   ///< the constrained Newton method stalled at a system without a solution in double
-	TooFar = 5,       ///< a developable shape was found, but farther away than places may go
-	NearlyThere = 6,  ///< a cut is needed, but what is left is small
-	BeyondBounds = 7, ///< so many patches have no pattern within their material's bounds, and where
-	WithinBounds = 8  ///< every patch has a pattern within its material's bounds
+	AsStatus = 0,      ///< nothing
+	NotLowered = 1,    ///< the local method stalled: G has not fallen for long
+	NothingMoves = 2,  ///< the local method stalled: no vertex can move
+	NeedsCut = 3,      ///< so many patches need a cut, and where
+	Unsolvable = 4,    ///< the constrained Newton method stalled at a system without a solution in double
+	TooFar = 5,        ///< a developable shape was found, but farther away than places may go
+	NearlyThere = 6,   ///< a cut is needed, but what is left is small
+	BeyondBounds = 7,  ///< so many patches have no pattern within their material's bounds, and where
+	WithinBounds = 8,  ///< every patch has a pattern within its material's bounds
+	BorderOverlaps = 9 ///< the curvature is gone, but the angles at border vertices exceed a full turn
 };
 
 struct ReasonProperties {
@@ -84,6 +85,10 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	 "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} "
 	 "patches, first of all at ({worst_x}, {worst_y}, {worst_z})"},
 	{Reason::WithinBounds, "WITHIN_BOUNDS", "every panel has a pattern within the allowed strain"},
+	{Reason::BorderOverlaps, "BORDER_OVERLAPS",
+	 "the curvature is gone, but the angles of a panel's faces add up to more than a full turn at border vertices "
+	 "({border_overlaps} in number), first of all at ({worst_x}, {worst_y}, {worst_z}): laid flat it overlaps itself there; a cut "
+	 "that ends there would do, or more room to move (max_displacement, fewer vertices held still)"},
 };
 
 /// How one patch ended.
@@ -91,6 +96,7 @@ struct PatchVerdict {
 	Status status = Status::NothingToDo;
 	Reason reason = Reason::AsStatus;
 	double nearestDevelopable = 0; ///< see OptimizationReport
+	int borderOverlaps = 0;        ///< alike
 };
 
 /// What every optimisation reports. Shapes are compared by the caller, which has both of them.
@@ -103,6 +109,8 @@ struct OptimizationReport {
 	/// How far the nearest developable shape that was found moves a place, where that is too far: length; 0
 	/// where none was found, or none too far.
 	double nearestDevelopable = 0;
+	/// Border vertices at which the angles of a patch exceed a full turn though its curvature is gone.
+	int borderOverlaps = 0;
 	std::vector<PatchVerdict> patchVerdicts; ///< empty where the method does not tell patches apart
 };
 

@@ -80,11 +80,10 @@ Eigen::Matrix3d BorderTurns::gradientAbout(const Eigen::Vector3d& axis, int join
 	return result;
 }
 
-std::vector<int> copiesNearOverlap(const PatchAssembly& assembly) {
-	const Eigen::VectorXd angles = borderAngles(assembly, assembly.originalPositions);
+std::vector<int> copiesThatMayOverlap(const PatchAssembly& assembly) {
 	std::vector<int> copies;
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		if (angles[copy] > 1.5 * pi)
+		if (!assembly.copyInterior[copy] && assembly.cornerStart[copy + 1] - assembly.cornerStart[copy] > 2)
 			copies.push_back(copy);
 	return copies;
 }

@@ -32,7 +32,7 @@ private:
 	Eigen::VectorXd most_;
 };
 
-/// The copies whose angles may come to exceed 2π, for they have more than 3/2 π in the original shape.
-std::vector<int> copiesNearOverlap(const PatchAssembly& assembly);
+/// The copies on boundaries whose angles may come to exceed 2π, for they have more than two triangles.
+std::vector<int> copiesThatMayOverlap(const PatchAssembly& assembly);
 
 } // namespace developable::detail

@@ -79,24 +79,16 @@ void describeShape(const PatchAssembly& assembly, const Eigen::VectorXd& defects
 		}
 }
 
-/// How many patches need a cut, and where.
-void describeNeedOfCut(const PatchAssembly& assembly, const Positions& positions, const PartOutcome& worst,
-					   ConstrainedNewtonReport& report) {
-	const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
-	report.reason = worst.nearestDevelopable > 0 ? Reason::TooFar : Reason::NeedsCut;
-	report.nearestDevelopable = worst.nearestDevelopable;
-	report.patchesNeedingCut = static_cast<int>(
-		std::count_if(report.patchVerdicts.begin(), report.patchVerdicts.end(),
-					  [](const PatchVerdict& verdict) { return verdict.status == Status::NeedsCut; }));
-	report.worstPosition = {at[0], at[1], at[2]};
-}
-
-PatchVerdict verdictOf(const PartOutcome& outcome) {
-	const Reason reason = outcome.ending == Ending::Unsolvable ? Reason::Unsolvable
-						  : outcome.status == Status::NeedsCut && outcome.nearestDevelopable > 0
-							  ? Reason::TooFar
-							  : Reason::AsStatus;
-	return {outcome.status, reason, outcome.nearestDevelopable};
+/// \param overlaps  of the patch, where nothing else is in the way; 0 where something is
+PatchVerdict verdictOf(const PartOutcome& outcome, int overlaps) {
+	if (outcome.ending == Ending::Unsolvable)
+		return {outcome.status, Reason::Unsolvable, outcome.nearestDevelopable};
+	if (outcome.status == Status::NeedsCut && outcome.nearestDevelopable > 0)
+		return {outcome.status, Reason::TooFar, outcome.nearestDevelopable};
+	const bool ended = outcome.status == Status::NeedsCut || outcome.status == Status::Stalled;
+	if (ended && overlaps > 0)
+		return {outcome.status, Reason::BorderOverlaps, 0, overlaps};
+	return {outcome.status};
 }
 
 /// Of each patch; within a part that has not got there some patches may have.
@@ -104,14 +96,57 @@ std::vector<PatchVerdict> patchVerdicts(const PatchAssembly& assembly, const Pos
 										const CurvatureGoal& goal, const std::vector<AssemblyPart>& parts,
 										const std::vector<PartOutcome>& outcomes) {
 	const auto unmet = goal.unmetPatches(assembly, flatDefects(assembly, positions));
+	const std::vector<int> overlaps = goal.borderOverlaps(assembly, positions);
 	std::vector<PatchVerdict> verdicts(assembly.patchCount());
 	for (std::size_t i = 0; i < parts.size(); ++i)
 		for (const int patch : parts[i].wholePatch)
 			if (unmet[patch])
-				verdicts[patch] = verdictOf(outcomes[i]);
+				verdicts[patch] = verdictOf(outcomes[i], overlaps[patch]);
 			else if (outcomes[i].status != Status::NothingToDo)
 				verdicts[patch].status = Status::Converged;
 	return verdicts;
+}
+
+/// Whether no patch that has not got there is stopped by anything else than its border.
+bool onlyBordersOverlap(const std::vector<PatchVerdict>& verdicts) {
+	return std::all_of(verdicts.begin(), verdicts.end(), [](const PatchVerdict& verdict) {
+		return converged(verdict.status) || verdict.reason == Reason::BorderOverlaps;
+	});
+}
+
+/// Where a border overlaps itself most.
+void describeOverlap(const PatchAssembly& assembly, const Positions& positions,
+					 ConstrainedNewtonReport& report) {
+	report.reason = Reason::BorderOverlaps;
+	borderAngles(assembly, positions).maxCoeff(&report.worstCopy);
+	report.worstPatch = assembly.patchOfCopy[report.worstCopy];
+	for (const PatchVerdict& verdict : report.patchVerdicts)
+		report.borderOverlaps += verdict.borderOverlaps;
+}
+
+/// How many patches need a cut.
+void describeNeedOfCut(const PartOutcome& worst, ConstrainedNewtonReport& report) {
+	report.reason = worst.nearestDevelopable > 0 ? Reason::TooFar : Reason::NeedsCut;
+	report.nearestDevelopable = worst.nearestDevelopable;
+	report.patchesNeedingCut = static_cast<int>(
+		std::count_if(report.patchVerdicts.begin(), report.patchVerdicts.end(),
+					  [](const PatchVerdict& verdict) { return verdict.status == Status::NeedsCut; }));
+}
+
+/// Why it has not got there, and where it is worst.
+void describeFailure(const PatchAssembly& assembly, const Positions& positions, const PartOutcome& worst,
+					 ConstrainedNewtonReport& report) {
+	if (report.status == Status::NeedsCut)
+		describeNeedOfCut(worst, report);
+	else if (worst.ending == Ending::Unsolvable)
+		report.reason = Reason::Unsolvable;
+	const bool overlaps = !converged(report.status) && onlyBordersOverlap(report.patchVerdicts);
+	if (overlaps)
+		describeOverlap(assembly, positions, report);
+	if (overlaps || report.status == Status::NeedsCut) {
+		const Eigen::Vector3d at = positions.col(assembly.placeOfCopy[report.worstCopy]);
+		report.worstPosition = {at[0], at[1], at[2]};
+	}
 }
 
 } // namespace
@@ -137,10 +172,7 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 		positions(Eigen::all, parts[i].wholePlace) = outcomes[i].positions;
 	report.patchVerdicts = patchVerdicts(assembly, positions, goal, parts, outcomes);
 	describeShape(assembly, angleDefects(assembly, positions), report);
-	if (report.status == Status::NeedsCut)
-		describeNeedOfCut(assembly, positions, worst, report);
-	else if (worst.ending == Ending::Unsolvable)
-		report.reason = Reason::Unsolvable;
+	describeFailure(assembly, positions, worst, report);
 	return report;
 }
 

@@ -31,8 +31,8 @@ struct ConstrainedNewtonOptions {
 struct ConstrainedNewtonReport : OptimizationReport {
 	/// Total absolute curvature that each patch is left with, rad, in double precision.
 	std::vector<double> patchCurvature;
-	int worstPatch = 0;    ///< the patch with most of it left
-	int worstCopy = 0;     ///< the copy of that patch with the largest absolute angle defect
+	int worstPatch = 0; ///< the patch with most of it left, or whose border overlaps itself most
+	int worstCopy = 0;  ///< the copy of that patch with the largest absolute angle defect, or where that is
 	double smoothness = 0; ///< the largest α that a patch was given; more than asked for where that failed
 };
 

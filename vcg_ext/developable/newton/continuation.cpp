@@ -23,6 +23,8 @@ Ending Continuation::follow() {
 			return Ending::Stopped;
 		if (steps_.unsolvable())
 			return Ending::Unsolvable;
+		if (problem_.beyondWay(run_.shape()))
+			return Ending::TooFar;
 		if (length == 0 || problem_.metric().tooStiff())
 			return Ending::Stuck;
 		// Stiffer triangles make φ larger, so that ε falls the sooner.

@@ -15,7 +15,7 @@ public:
 	Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double share = 1);
 
 	/// \return Settled, when the curvature is all but gone and the distance has settled; Stuck, when it leads
-	///         no further; Reached; Unsolvable; OutOfSteps; Stopped
+	///         no further; Reached; TooFar; Unsolvable; OutOfSteps; Stopped
 	Ending follow();
 
 	/// The ε that it ended with, and the least that it may have.

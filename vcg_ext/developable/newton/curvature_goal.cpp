@@ -23,6 +23,22 @@ Eigen::Array<bool, Eigen::Dynamic, 1> CurvatureGoal::unmetPatches(const PatchAss
 	return !(patchCurvatures(assembly, defects) <= curvatureTolerance && greatest <= angleTolerance);
 }
 
+std::vector<int> CurvatureGoal::borderOverlaps(const PatchAssembly& assembly,
+											   const Positions& positions) const {
+	const auto curved = unmetPatches(assembly, angleDefects(assembly, positions));
+	const Eigen::VectorXd excess = borderAngles(assembly, positions).array() - 2 * pi;
+	Eigen::ArrayXd greatest = Eigen::ArrayXd::Zero(assembly.patchCount());
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		greatest[assembly.patchOfCopy[copy]] = std::max(greatest[assembly.patchOfCopy[copy]], excess[copy]);
+	std::vector<int> overlaps(assembly.patchCount(), 0);
+	for (int copy = 0; copy < assembly.copyCount(); ++copy) {
+		const int patch = assembly.patchOfCopy[copy];
+		if (!curved[patch] && excess[copy] > 0 && excess[copy] >= std::min(greatest[patch], angleTolerance))
+			++overlaps[patch];
+	}
+	return overlaps;
+}
+
 double CurvatureGoal::shareRemoved(double startCurvature, double curvature) const {
 	const double whole = std::log(startCurvature / curvatureTolerance);
 	const double done = std::log(startCurvature / std::max(curvature, curvatureTolerance));

@@ -6,6 +6,7 @@
 #include "developable/mesh/mesh.h"
 
 #include <limits>
+#include <vector>
 
 namespace developable::detail {
 
@@ -26,6 +27,10 @@ struct CurvatureGoal {
 	bool reached(const PatchAssembly& assembly, const Eigen::VectorXd& defects) const {
 		return !unmetPatches(assembly, defects).any();
 	}
+
+	/// Per patch whose curvature is gone, at how many vertices of its border the angles add up to more than a
+	/// full turn, by more than the angle tolerance, but those of the worst count in any case; 0 of others.
+	std::vector<int> borderOverlaps(const PatchAssembly& assembly, const Positions& positions) const;
 
 	/// How far the curvature has come on its way down to the tolerance, 0 to 1: each tenth of it counts
 	/// alike.

@@ -13,7 +13,7 @@ DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::Vecto
 							   double borderTurn)
 	: assembly_(assembly), turns_(assembly, borderTurn), rowOfCopy_(assembly.copyCount(), -1) {
 	std::vector<char> hasRow = assembly.copyInterior;
-	for (const int copy : copiesNearOverlap(assembly))
+	for (const int copy : copiesThatMayOverlap(assembly))
 		hasRow[copy] = 1;
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
 		if (hasRow[copy]) {
@@ -120,6 +120,23 @@ Positions DefectJacobian::applyTransposed(const Eigen::VectorXd& multipliers) co
 		for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
 			result.col(place) += multipliers[rowOfBlock_[block]] * blocks_.col(block);
 	return result;
+}
+
+SparseMatrix DefectJacobian::matrix() const {
+	std::vector<int> start(1, 0), rows;
+	std::vector<double> values;
+	rows.reserve(3 * rowOfBlock_.size());
+	values.reserve(3 * rowOfBlock_.size());
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		for (int coordinate = 0; coordinate < 3; ++coordinate) {
+			for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block) {
+				rows.push_back(rowOfBlock_[block]);
+				values.push_back(blocks_(coordinate, block));
+			}
+			start.push_back(static_cast<int>(rows.size()));
+		}
+	return Eigen::Map<const SparseMatrix>(rowCount(), 3 * assembly_.placeCount(), values.size(), start.data(),
+										  rows.data(), values.data());
 }
 
 SparseMatrix DefectJacobian::along(const Positions& directions) const {

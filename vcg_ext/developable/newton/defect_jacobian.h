@@ -49,6 +49,9 @@ public:
 	/// What each row can change by at most when no place moves farther than this.
 	Eigen::VectorXd greatestChange(double farthest) const;
 
+	/// J, rows x 3 places: the coordinates of a place are neighbours.
+	SparseMatrix matrix() const;
+
 	/// Jᵀ y.
 	Positions applyTransposed(const Eigen::VectorXd& multipliers) const;
 

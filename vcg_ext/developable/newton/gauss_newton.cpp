@@ -5,7 +5,8 @@
 namespace developable::detail {
 
 GaussNewton::GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens, double farthest)
-	: problem_(problem), run_(run), stiffens_(stiffens), farthest_(farthest), solver_(problem),
+	: problem_(problem), run_(run), stiffens_(stiffens), farthest_(farthest),
+	  solver_(problem, stiffens ? problem.tuning().slowStiffSystem : problem.tuning().slowSystem),
 	  multipliers_(Eigen::VectorXd::Zero(problem.jacobian().rowCount())),
 	  unsolvable_(!problem.metric().factorize()) {
 	if (unsolvable_)
@@ -46,10 +47,12 @@ Positions GaussNewton::direction(double tau, double epsilon) {
 	const DefectJacobian& jacobian = problem_.jacobian();
 	const Eigen::VectorXd rightHandSide =
 		jacobian.linearResidual(run_.shape().scaledDefects) - tau * jacobian.apply(displacement);
-	stopped_ = !solver_.solve(rightHandSide, epsilon, multipliers_, [&] { return run_.mayGoOn(); });
+	Positions response;
+	stopped_ = !solver_.solve(
+		rightHandSide, epsilon, multipliers_, [&] { return run_.mayGoOn(); }, response);
 	if (stopped_)
 		return {};
-	return -tau * displacement - problem_.metric().solve(jacobian.applyTransposed(multipliers_));
+	return -tau * displacement - response;
 }
 
 double GaussNewton::squaredDistance(const Shape& shape) const {

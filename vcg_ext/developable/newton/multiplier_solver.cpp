@@ -4,12 +4,14 @@
 
 namespace developable::detail {
 
-MultiplierSolver::MultiplierSolver(NewtonProblem& problem)
-	: problem_(problem), factorization_(problem.memoryLimit()) {}
+MultiplierSolver::MultiplierSolver(NewtonProblem& problem, int slow)
+	: problem_(problem), factorization_(problem.memoryLimit()), direct_(problem.memoryLimit()),
+	  slowProducts_(slow) {}
 
-Eigen::VectorXd MultiplierSolver::apply(const Eigen::VectorXd& multipliers) const {
+Eigen::VectorXd MultiplierSolver::apply(const Eigen::VectorXd& multipliers) {
 	const DefectJacobian& jacobian = problem_.jacobian();
 	problem_.budget().spend(problem_.assembly().placeCount());
+	++products_;
 	return jacobian.apply(problem_.metric().solve(jacobian.applyTransposed(multipliers)));
 }
 
@@ -20,7 +22,27 @@ double MultiplierSolver::findGreatestResponse(Eigen::VectorXd start) {
 }
 
 bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
-							 const std::function<bool()>& mayGoOn) {
+							 const std::function<bool()>& mayGoOn, Positions& response) {
+	const NewtonTuning& tuning = problem_.tuning();
+	if (slow_) {
+		if (!mayGoOn())
+			return false;
+		problem_.budget().spend(double(tuning.directWork) * problem_.assembly().placeCount());
+		if (direct_.solve(problem_.metric().matrix(), problem_.jacobian(), b, epsilon, response))
+			return true;
+		canFactorize_ = false;
+		slow_ = false;
+	}
+	products_ = 0;
+	if (iterate(b, epsilon, y, mayGoOn) == Iterated::Stopped)
+		return false;
+	slow_ = canFactorize_ && products_ > slowProducts_;
+	response = problem_.metric().solve(problem_.jacobian().applyTransposed(y));
+	return true;
+}
+
+Iterated MultiplierSolver::iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
+								   const std::function<bool()>& mayGoOn) {
 	const NewtonTuning& tuning = problem_.tuning();
 	inverseMass_ = problem_.metric().weight().cwiseInverse();
 	// Should rounding spoil K, plain conjugate gradients remain.
@@ -35,8 +57,7 @@ bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, Eigen::Ve
 	const auto enough = [&](const Eigen::VectorXd& residual, double) {
 		return residual.norm() <= residualAllowed;
 	};
-	return conjugateGradients(system, precondition, b, tuning.systemSteps, enough, mayGoOn, y) !=
-		   Iterated::Stopped;
+	return conjugateGradients(system, precondition, b, tuning.systemSteps, enough, mayGoOn, y);
 }
 
 Eigen::VectorXd MultiplierSolver::preconditioned(const Eigen::VectorXd& residual, double epsilon) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "developable/linear/linear.h"
+#include "direct_system.h"
 #include "newton_problem.h"
 
 #include <functional>
@@ -17,26 +18,36 @@ namespace developable::detail {
 /// every J. It keeps the number of steps at some tens whatever ε and the tessellation.
 class MultiplierSolver {
 public:
-	explicit MultiplierSolver(NewtonProblem& problem);
+	/// \param slow  products with the matrix in one system beyond which conjugate gradients count as slow
+	MultiplierSolver(NewtonProblem& problem, int slow);
 
 	/// J W⁻¹ Jᵀ y.
-	Eigen::VectorXd apply(const Eigen::VectorXd& multipliers) const;
+	Eigen::VectorXd apply(const Eigen::VectorXd& multipliers);
 
 	/// About the largest eigenvalue of J W⁻¹ Jᵀ; `start` is a first guess at its eigenvector.
 	double findGreatestResponse(Eigen::VectorXd start);
 
-	/// \param y        the first guess; becomes the solution, or the best within the limit of steps
-	/// \param mayGoOn  called once a step; returns false to ask for a stop
-	/// \return         false when asked to stop
+	/// W⁻¹ Jᵀ y of the solution. Once conjugate gradients have been slow, systems are factorised instead as
+	/// far as that can be done (see DirectSystem); y is not touched then.
+	/// \param y         the first guess; becomes the solution, or the best within the limit of steps
+	/// \param mayGoOn   called once a step; returns false to ask for a stop
+	/// \param response  3 x places
+	/// \return          false when asked to stop
 	bool solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
-			   const std::function<bool()>& mayGoOn);
+			   const std::function<bool()>& mayGoOn, Positions& response);
 
 private:
+	Iterated iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
+					 const std::function<bool()>& mayGoOn);
 	Eigen::VectorXd preconditioned(const Eigen::VectorXd& residual, double epsilon) const;
 
 	NewtonProblem& problem_;
 	Eigen::VectorXd inverseMass_;
 	SparseSolver factorization_; // of K
+	DirectSystem direct_;
+	const int slowProducts_;
+	int products_ = 0; // in the last system
+	bool slow_ = false, canFactorize_ = true;
 	double greatestResponse_ = 0;
 };
 

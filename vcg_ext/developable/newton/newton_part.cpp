@@ -39,6 +39,7 @@ Status statusOf(Ending ending, const PatchAssembly& part) {
 		return Status::Converged;
 	case Ending::Settled:
 	case Ending::Stuck:
+	case Ending::TooFar:
 		return holdsPlaces(part) ? Status::Stalled : Status::NeedsCut;
 	case Ending::Unsolvable:
 		return Status::Stalled;

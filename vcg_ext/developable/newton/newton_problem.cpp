@@ -30,6 +30,11 @@ bool NewtonProblem::hardlyFarther(const Shape& shape, const Shape& other) const 
 	return mean(shape) <= tuning_.preferredPrice * mean(other);
 }
 
+bool NewtonProblem::beyondWay(const Shape& shape) const {
+	const double mean = displacement(shape).colwise().norm().mean(), bound = goal_.farthest;
+	return bound > 0 && (shape.farthest > tuning_.wayFarthest * bound || mean > tuning_.wayMean * bound);
+}
+
 void NewtonProblem::weigh(const Eigen::VectorXd& masses) {
 	metric_.weigh(masses);
 	jacobian_.setPlaceMass(metric_.weight());

@@ -51,6 +51,9 @@ public:
 	/// Whether the mean displacement is at most a little longer than another's.
 	bool hardlyFarther(const Shape& shape, const Shape& other) const;
 
+	/// Whether it has come farther than may be on the way, see NewtonTuning::wayFarthest.
+	bool beyondWay(const Shape& shape) const;
+
 	/// Makes places heavier, see BendingMetric.
 	void weigh(const Eigen::VectorXd& masses);
 

@@ -14,6 +14,7 @@ enum class Ending {
 	Reached,    ///< every patch is developable
 	Settled,    ///< next to nothing of the curvature is left, and the distance has settled
 	Stuck,      ///< steps make no difference any more
+	TooFar,     ///< farther away than is of any use, before it was developable
 	Unsolvable, ///< a linear system has no solution in double precision
 	OutOfSteps,
 	Stopped ///< by the user

@@ -134,8 +134,10 @@ NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& st
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
 	NewtonOutcome coarseOutcome =
 		coarser().solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
-	if (coarseOutcome.ending == Ending::Stopped)
+	if (coarseOutcome.ending == Ending::Stopped || coarseOutcome.ending == Ending::TooFar) {
+		coarseOutcome.positions = start;
 		return coarseOutcome;
+	}
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 	const std::string announcement = announce(assembly, taken.count() * std::pow(sizes, growth));
 	const Positions displacement =

@@ -67,6 +67,9 @@ struct NewtonTuning {
 	// Linear systems in the multipliers.
 	int responseSteps = 3;    ///< of the power iteration for the greatest response
 	int systemSteps = 200;    ///< of conjugate gradients; some tens are usual
+	int slowSystem = 15;      ///< more products: the systems of this run are factorised from then on
+	int slowStiffSystem = 60; ///< the same of a run that makes triangles stiffer
+	int directWork = 30;      ///< of a system that is factorised, in steps of conjugate gradients
 	double plainAbove = 0.01; ///< share of the greatest response: with such an ε no preconditioner pays
 	double slackMass = 100;   ///< κ of the preconditioner
 
@@ -103,6 +106,11 @@ struct NewtonTuning {
 	double workPerPlace = 20000;
 	double workOnSmall = 5e7;  ///< at least: seconds
 	double workTogether = 0.6; ///< share of it before patches are frozen
+
+	// Runs that only ask whether there is a shape near. On the way from the original to zero curvature the
+	// distance grows: what has come too far is given up. Never, where they are so large.
+	double wayFarthest = 1e6; ///< share of the bound on displacements that a place may have on the way
+	double wayMean = 1e6;     ///< and all places on average
 
 	// A start without symmetry.
 	double symmetryBreaking = 1e-4; ///< share of the diagonal
