@@ -36,7 +36,8 @@ Eigen::Matrix2d sides(const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
 	return result;
 }
 
-/// By how much a strain from pattern to shape is beyond bounds that hold in all directions, at most.
+/// By how much a strain from pattern to shape is beyond bounds that hold in all directions, at most. What
+/// collapses counts as stretched by 900 %.
 double ownBeyond(const PatchAssembly& assembly, const Positions& shape, const FlatPatterns& patterns) {
 	double beyond = 0;
 	for (int t = 0; t < assembly.triangleCount(); ++t) {
@@ -46,7 +47,7 @@ double ownBeyond(const PatchAssembly& assembly, const Positions& shape, const Fl
 		before << flat(1) - flat(0), flat(2) - flat(0);
 		const Eigen::Matrix2d map = sides(corner(1) - corner(0), corner(2) - corner(0)) * before.inverse();
 		const Eigen::Vector2d strains = map.jacobiSvd().singularValues();
-		beyond = std::max({beyond, strains[0] - 1 - patterns.bounds.warp.stretch,
+		beyond = std::max({beyond, std::min(strains[0], 10.0) - 1 - patterns.bounds.warp.stretch,
 						   1 - strains[1] - patterns.bounds.warp.compression});
 	}
 	return beyond;

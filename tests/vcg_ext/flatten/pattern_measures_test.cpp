@@ -57,5 +57,41 @@ TEST(PatternMeasures, MapsAddUpToTheReport) {
 			  patterns.report.maxEdgeStrain);
 }
 
+/// Measures of a square of two triangles whose corners have these places in the pattern.
+FlatPatterns measuredSquare(const Eigen::Matrix2Xd& flat, PatchAssembly& assembly) {
+	assembly = assembled(grid(2, 2, flatSheet));
+	FlattenOptions options;
+	options.bounds = StrainBounds::isotropic(0.02, 0.02);
+	FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions, options);
+	for (int vertex = 0; vertex < 4; ++vertex)
+		patterns.positions.col(vertex) = flat.col(patterns.placeOfVertex[vertex]);
+	measurePatterns(assembly, assembly.originalPositions, patterns);
+	return patterns;
+}
+
+TEST(PatternMeasures, WhatCollapsesCountsAsStretchedTenfold) {
+	PatchAssembly assembly;
+	const Eigen::Matrix2Xd square = assembled(grid(2, 2, flatSheet)).originalPositions.topRows(2);
+	for (const double width : {0.5, 0.2, 0.05, 1e-9, 0.0}) {
+		Eigen::Matrix2Xd thin = square;
+		thin.row(0) *= width;
+		const FlatPatterns patterns = measuredSquare(thin, assembly);
+		const bool collapses = width < 0.1;
+		EXPECT_EQ(patterns.report.collapsedFaces, collapses ? 2 : 0) << width;
+		EXPECT_NEAR(patterns.report.maxStretch, collapses ? 9 : 1 / width - 1, 1e-9) << width;
+		EXPECT_EQ(patterns.stretch.maxCoeff(), patterns.report.maxStretch);
+		EXPECT_LE(patterns.report.beyondBounds, 9);
+		EXPECT_GT(patterns.report.beyondBounds, patternTolerance);
+		EXPECT_TRUE(std::isfinite(patterns.report.maxCompression));
+		EXPECT_LE(patterns.report.maxCompression, 1);
+		const auto& notes = patterns.report.notes;
+		EXPECT_EQ(std::any_of(notes.begin(), notes.end(),
+							  [](const std::string& note) {
+								  return note.find("2 collapsed faces") != std::string::npos;
+							  }),
+				  collapses);
+	}
+}
+
 } // namespace
 } // namespace developable::test

@@ -25,6 +25,10 @@ struct Seam {
 	double ease() const { return mismatch() / std::min(length[0], length[1]); }
 };
 
+/// A triangle that has to stretch by this or more, from the pattern to the model, has collapsed in the
+/// pattern: it is thinner there than a tenth. How much it stretches says nothing then, and counts as this.
+constexpr double collapsedStretch = 9;
+
 /// What flattening did to one patch.
 struct FlatPiece {
 	int holes = 0;
@@ -38,6 +42,7 @@ struct FlatPiece {
 	int worstTriangle = -1;  ///< where that is
 	std::array<int, 2> longestSide = {-1, -1}; ///< the ends of its longest seam, or side if it has none
 	int flippedFaces = 0;
+	int collapsedFaces = 0;
 	bool overlapping = false;               ///< with itself or another piece
 	std::array<int, 2> crossing = {-1, -1}; ///< two half edges of its boundary that cross, if any do
 	bool converged = false;
@@ -51,11 +56,13 @@ struct FlattenReport {
 	double meanEdgeStrain = 0;
 	double elasticEnergy = 0;   ///< Σ (flattened length − length)², length²
 	double maxSeamMismatch = 0; ///< length
-	double maxStretch = 0; ///< the greatest σ1 − 1 of the maps from pattern to model, 0 where none is above 1
+	/// The greatest σ1 − 1 of the maps from pattern to model, 0 where none is above 1; see collapsedStretch.
+	double maxStretch = 0;
 	double maxCompression = 0; ///< the greatest 1 − σ2 alike
 	double beyondBounds = 0;   ///< of the pieces' the greatest
 	int overlappingPieces = 0;
 	int flippedFaces = 0;
+	int collapsedFaces = 0;         ///< see collapsedStretch
 	bool stopped = false;           ///< by the user: there are no patterns
 	std::vector<std::string> notes; ///< what a user should know: cuts, overlaps, limits reached
 };

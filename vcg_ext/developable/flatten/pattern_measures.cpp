@@ -50,6 +50,11 @@ void measureEdges(const PatchAssembly& assembly, const Positions& model, FlatPat
 	report.meanEdgeStrain /= std::accumulate(edges.begin(), edges.end(), 0);
 }
 
+/// Where a triangle of the pattern has no area at all, a strain is not a number.
+double upToCollapse(double strain) {
+	return strain < collapsedStretch ? strain : collapsedStretch;
+}
+
 /// Strains of all triangles, and which are beyond the bounds.
 void measureTriangles(const PatchAssembly& assembly, const Positions& model, FlatPatterns& patterns) {
 	patterns.stretch = patterns.compression = Eigen::VectorXd::Zero(patterns.vertexCount());
@@ -59,19 +64,23 @@ void measureTriangles(const PatchAssembly& assembly, const Positions& model, Fla
 	for (FlatPiece& piece : patterns.pieces) {
 		piece.maxStretch = piece.maxCompression = piece.beyondBounds = 0;
 		piece.worstTriangle = -1;
+		piece.collapsedFaces = 0;
 	}
 	for (int t = 0; t < triangles.count(); ++t) {
 		FlatPiece& piece = patterns.pieces[assembly.patchOfTriangle[t]];
-		const double stretch = std::max(strains(0, t) - 1, 0.0),
-					 compression = std::max(1 - strains(1, t), 0.0);
+		const double stretch = std::max(upToCollapse(strains(0, t) - 1), 0.0),
+					 compression = std::max(0.0, 1 - strains(1, t));
+		const bool collapsed = stretch == collapsedStretch;
+		const double excess = collapsed && patterns.bounds.any() ? collapsedStretch : upToCollapse(beyond[t]);
+		piece.collapsedFaces += collapsed;
 		piece.maxStretch = std::max(piece.maxStretch, stretch);
 		piece.maxCompression = std::max(piece.maxCompression, compression);
 		for (const int vertex : patterns.triangles.col(t)) {
 			patterns.stretch[vertex] = std::max(patterns.stretch[vertex], stretch);
 			patterns.compression[vertex] = std::max(patterns.compression[vertex], compression);
 		}
-		if (beyond[t] > piece.beyondBounds) {
-			piece.beyondBounds = beyond[t];
+		if (excess > piece.beyondBounds) {
+			piece.beyondBounds = excess;
 			piece.worstTriangle = t;
 		}
 	}
@@ -113,7 +122,10 @@ void addNotes(int number, const FlatPiece& piece, std::vector<std::string>& note
 		note("overlaps itself or another: cut it in two, or give it seams.");
 	if (piece.flippedFaces > 0)
 		note("has " + counted(piece.flippedFaces, "flipped face", "flipped faces") + ": give it seams.");
-	else if (!piece.converged)
+	if (piece.collapsedFaces > 0)
+		note("has " + counted(piece.collapsedFaces, "collapsed face", "collapsed faces") +
+			 ", thinner in the pattern than a tenth: their stretch counts as 900 %. Give it seams.");
+	if (piece.flippedFaces == 0 && piece.collapsedFaces == 0 && !piece.converged)
 		note("was still getting better after " + counted(piece.iterations, "step", "steps") +
 			 ": it is far from developable.");
 }
@@ -151,6 +163,7 @@ void measurePatterns(const PatchAssembly& assembly, const Positions& model, Flat
 		report.maxCompression = std::max(report.maxCompression, piece.maxCompression);
 		report.beyondBounds = std::max(report.beyondBounds, piece.beyondBounds);
 		report.flippedFaces += piece.flippedFaces;
+		report.collapsedFaces += piece.collapsedFaces;
 		report.overlappingPieces += piece.overlapping;
 		addNotes(number, piece, report.notes);
 		if (piece.beyondBounds > patternTolerance)
