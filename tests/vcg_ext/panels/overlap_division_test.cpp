@@ -12,11 +12,6 @@ namespace {
 using detail::CutSurface;
 using detail::divideBetween;
 
-CutSurface square() {
-	const TriangleMesh mesh = grid(9, 9, [](double u, double v) { return Eigen::Vector3d(u, v, 0); });
-	return withPanels(mesh, strips(mesh, 1));
-}
-
 TEST(OverlapDivision, isHalfWay) {
 	CutSurface surface = square();
 	ASSERT_TRUE(divideBetween(surface, surface.panelOf(0), {{{0, 0.5, 0}, {1, 0.5, 0}}}));

@@ -36,6 +36,12 @@ inline detail::CutSurface withPanels(const TriangleMesh& mesh, const std::vector
 	return surface;
 }
 
+/// The unit square with 8 x 8 cells, one panel.
+inline detail::CutSurface square() {
+	const TriangleMesh mesh = grid(9, 9, [](double u, double v) { return Eigen::Vector3d(u, v, 0); });
+	return withPanels(mesh, strips(mesh, 1));
+}
+
 inline std::set<std::vector<int>> panelsOf(const detail::CutSurface& surface) {
 	std::set<std::vector<int>> panels;
 	for (int panel = 0; panel < surface.panelCount(); ++panel)

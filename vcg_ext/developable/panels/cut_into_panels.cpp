@@ -14,7 +14,7 @@ CutResult cutIntoPanels(const TriangleMesh& mesh, const PatchOptions& patches, c
 	requireOption(!std::isnan(options.maxDisplacement) && !std::isinf(options.maxDisplacement),
 				  "The greatest displacement must be a number.");
 	requireValid(options.material.bounds);
-	return detail::PanelPlan(mesh, patches, options, neverBack(progress)).run();
+	return detail::PanelPlan(detail::separatePatches(mesh, patches), options, neverBack(progress)).run();
 }
 
 } // namespace developable

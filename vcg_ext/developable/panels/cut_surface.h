@@ -46,6 +46,9 @@ public:
 	Eigen::Vector3d middleOf(int halfEdge) const {
 		return positions().col(assembly_.placeAt(halfEdge)) + vectorOf(halfEdge) / 2;
 	}
+	Eigen::Vector3d barycentre(int triangle) const {
+		return (middleOf(3 * triangle) + middleOf(3 * triangle + 1) + middleOf(3 * triangle + 2)) / 3;
+	}
 	double area(int panel) const;
 	double patchArea(int patch) const { return patchAreas_[patch]; }
 

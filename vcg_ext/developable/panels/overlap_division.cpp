@@ -12,14 +12,10 @@ namespace developable::detail {
 
 namespace {
 
-Eigen::Vector3d centre(const CutSurface& surface, int triangle) {
-	return surface.positions()(Eigen::all, surface.assembly().trianglePlaces.col(triangle)).rowwise().mean();
-}
-
 int nearestTriangle(const CutSurface& surface, int panel, const Eigen::Vector3d& point) {
 	const std::vector<int>& triangles = surface.trianglesOf(panel);
 	return *std::min_element(triangles.begin(), triangles.end(), [&](int a, int b) {
-		return (centre(surface, a) - point).squaredNorm() < (centre(surface, b) - point).squaredNorm();
+		return (surface.barycentre(a) - point).squaredNorm() < (surface.barycentre(b) - point).squaredNorm();
 	});
 }
 
@@ -39,7 +35,7 @@ bool divideBetween(CutSurface& surface, int panel, const std::array<Eigen::Vecto
 		for (int h = 3 * triangle; h < 3 * triangle + 3; ++h)
 			if (surface.across(h) >= 0) {
 				const int next = triangleOf(surface.across(h));
-				steps.emplace(length + (centre(surface, next) - centre(surface, triangle)).norm(), next,
+				steps.emplace(length + (surface.barycentre(next) - surface.barycentre(triangle)).norm(), next,
 							  front);
 			}
 	}

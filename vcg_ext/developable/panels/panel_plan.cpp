@@ -3,21 +3,18 @@
 #include "panel_plan.h"
 
 #include "cut_report.h"
-#include "normal_clusters.h"
-#include "overlap_division.h"
+#include "first_panels.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
 #include "seam_drawing.h"
 #include "selected_whole.h"
 #include "sewn_panels.h"
 #include "sewn_relief.h"
+#include "taken_back_joins.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
-#include <set>
 #include <utility>
 
 namespace developable::detail {
@@ -25,15 +22,12 @@ namespace developable::detail {
 namespace {
 
 constexpr double defaultDisplacement = 0.02; ///< of the diagonal of a part
-constexpr double smoothing = 1.5;            ///< how far labels spread, in mean edge lengths
 
 } // namespace
 
-PanelPlan::PanelPlan(const TriangleMesh& mesh, const PatchOptions& patches, const CutOptions& options,
-					 const Progress& progress)
-	: options_(options),
-	  given_(separatePatches(mesh, patches)), planned_{given_.mesh, given_.origins,
-													   CutSurface(assemblePatches(given_.mesh, {}))} {
+PanelPlan::PanelPlan(GivenPatches given, const CutOptions& options, const Progress& progress)
+	: options_(options), given_(std::move(given)), planned_{given_.mesh, given_.origins,
+															CutSurface(assemblePatches(given_.mesh, {}))} {
 	tests_ = std::make_unique<PanelTests>(maxDisplacements(), options_.material, progress);
 }
 
@@ -56,82 +50,8 @@ std::vector<double> PanelPlan::maxDisplacements() const {
 	return result;
 }
 
-void PanelPlan::makeClusters() {
-	const int patches = planned_.surface.assembly().patchCount();
-	std::vector<PanelTrial> trials;
-	trials.reserve(patches);
-	for (int patch = 0; patch < patches; ++patch)
-		trials.push_back(trialOf(planned_.surface, planned_.surface.trianglesOf(patch)));
-	const std::vector<PanelVerdict> verdicts = tests_->test(trials);
-	for (int patch = 0; patch < patches; ++patch) {
-		if (!verdicts[patch].flat)
-			planned_.surface.divide(
-				patch, normalClusters(planned_.surface, planned_.surface.trianglesOf(patch), {}));
-	}
-	tidyClusters();
-	divideUntilFlat();
-}
-
-/// Labels spread a little, which takes away the teeth of their edges.
-void PanelPlan::tidyClusters() {
-	const int count = planned_.surface.assembly().triangleCount();
-	const Spreading spreading{sharpFeatures(planned_.surface, options_.creaseAngle),
-							  std::vector<double>(count, smoothing), std::vector<char>(count, 1)};
-	const Memberships spread =
-		memberships(planned_.surface, planned_.surface.panels(), planned_.surface.panelCount(), spreading,
-					keptTriangles(planned_, options_));
-	planned_.surface.relabel(
-		planned_.surface.withoutFragments(withSelectedWhole(planned_, options_, mostMembership(spread))));
-}
-
-/// In two, if that is possible. \return whether it was
-bool PanelPlan::divideInTwo(int panel) {
-	ClusterOptions options;
-	options.greatestDeviation = std::numeric_limits<double>::infinity();
-	options.leastClusters = 2;
-	const std::vector<int> triangles = planned_.surface.trianglesOf(panel);
-	const std::vector<int> halves = normalClusters(planned_.surface, triangles, options);
-	std::vector<int> labels(planned_.surface.assembly().triangleCount(), -1);
-	for (std::size_t i = 0; i < triangles.size(); ++i)
-		labels[triangles[i]] = halves[i];
-	labels = withSelectedWhole(planned_, options_, std::move(labels));
-	std::vector<int> ofPanel;
-	ofPanel.reserve(triangles.size());
-	for (const int t : triangles)
-		ofPanel.push_back(labels[t]);
-	if (std::equal(ofPanel.begin() + 1, ofPanel.end(), ofPanel.begin()))
-		return false;
-	planned_.surface.divide(panel, ofPanel);
-	return true;
-}
-
-void PanelPlan::divideUntilFlat() {
-	std::vector<char> known;
-	while (!tests_->stopped()) {
-		std::vector<PanelTrial> trials;
-		std::vector<int> panels;
-		known.resize(planned_.surface.panelCount(), 0);
-		for (int panel = 0; panel < planned_.surface.panelCount(); ++panel) {
-			const std::vector<int>& triangles = planned_.surface.trianglesOf(panel);
-			if (triangles.size() < 2 || known[panel])
-				continue;
-			trials.push_back(trialOf(planned_.surface, triangles));
-			panels.push_back(panel);
-		}
-		if (panels.empty() ||
-			!tests_->mayGoOn(0.05,
-							 "testing " + std::to_string(planned_.surface.usedPanelCount()) + " clusters"))
-			return;
-		const std::vector<PanelVerdict> verdicts = tests_->test(trials);
-		for (std::size_t i = 0; i < panels.size() && !tests_->stopped(); ++i) {
-			known[panels[i]] = 1;
-			if (!verdicts[i].flat)
-				known[panels[i]] = !divideInTwo(panels[i]);
-		}
-	}
-}
-
 SewnPanels PanelPlan::sewTogether(bool brief) {
+	--sewingsLeft_;
 	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, maxDisplacements(),
 							 options_.material, brief, progressOfRest());
 }
@@ -154,14 +74,17 @@ SewnPanels PanelPlan::joinedWithDarts() {
 	return divideUntilAllHold();
 }
 
-/// Divides what does not hold together, and where darts do not help, in two each time.
+/// Divides all that does not hold together, and where darts do not help, in two each time.
 SewnPanels PanelPlan::divideUntilAllHold() {
-	constexpr int rounds = 40;
+	constexpr int rounds = 12;
 	reliefsLeft_ = mostReliefs;
 	SewnPanels sewn = relieved(sewTogether(false));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
-		const int worst = worstOf(sewn);
-		if (worst < 0 || planned_.surface.trianglesOf(worst).size() < 2 || !divideInTwo(worst))
+		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
+		for (const int panel : worstFirst(sewn))
+			if (sewn.overlaps.count(panel) == 0 && planned_.surface.trianglesOf(panel).size() > 1)
+				any = divideInTwo(planned_, options_, panel) || any;
+		if (!any)
 			break;
 		sewn = relieved(sewTogether(false));
 	}
@@ -176,13 +99,15 @@ Progress PanelPlan::progressOfRest() {
 /// joined greedily, which are more and hold sooner.
 void PanelPlan::joinUntilAllHold() {
 	constexpr int roundsOfFew = 8, rounds = 12;
+	makeFirstPanels(planned_, *tests_, options_);
+	clusters_ = planned_.surface.panels();
 	joinPanels(planned_.surface, *tests_, history_);
 	const PlannedSurface joined = planned_;
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
 	if (options_.darts && options_.splitTriangles)
 		joinWithRelief(planned_.surface, *tests_, history_, dartTips_, keptTriangles(planned_, options_));
 	const bool fewer = planned_.surface.usedPanelCount() < joined.surface.usedPanelCount();
-	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped())
+	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() || sewingsLeft_ <= 0)
 		return;
 	planned_ = joined;
 	dartTips_.clear();
@@ -194,24 +119,23 @@ void PanelPlan::joinUntilAllHold() {
 bool PanelPlan::sewUntilAllHold(int rounds) {
 	constexpr double tighter = 0.95; // with every round: panels with more room hold sooner
 	reliefsLeft_ = mostReliefs;
-	bool mayJoin = false;
+	std::vector<char> mayJoin(clusters_.size(), 0);
 	for (int round = 1; !tests_->stopped(); ++round) {
 		tests_->scaleLimits(std::pow(tighter, round - 1));
-		if (mayJoin)
-			joinPanels(planned_.surface, *tests_, history_);
+		joinPanels(planned_.surface, *tests_, history_, [&](const SeamChain& chain) {
+			const int h = chain.halfEdges.front();
+			return mayJoin[triangleOf(h)] || mayJoin[triangleOf(planned_.surface.assembly().across(h))];
+		});
 		if (tests_->stopped() || seamChains(planned_.surface).empty())
 			return true;
 		const PlannedSurface joined = planned_;
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
 		const SewnPanels sewn = smoothSeams();
-		const std::vector<int> failing = worstFirst(sewn);
-		if (failing.empty())
+		if (worstOf(sewn) < 0)
 			return true;
 		PlannedSurface divided = joined;
-		mayJoin = sewn.overlaps.size() < failing.size();
-		if (round == rounds || tests_->stopped() ||
-			!(mayJoin ? takeBackLastJoins(divided.surface, joined, failing)
-					  : divideOverlapping(divided.surface, joined, sewn)))
+		mayJoin = divideFailing(divided, sewn);
+		if (round == rounds || tests_->stopped() || mayJoin.empty() || sewingsLeft_ <= 0)
 			return false;
 		planned_ = std::move(divided);
 		dartTips_ = dartTips;
@@ -219,47 +143,33 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 	return false;
 }
 
-/// Of all panels that do not hold. \return whether there was any
-bool PanelPlan::takeBackLastJoins(CutSurface& surface, const PlannedSurface& joined,
-								  const std::vector<int>& failing) {
-	std::set<int> panels;
-	bool any = false;
-	for (const int panel : failing) {
-		const int before = panelBefore(joined, panel);
-		if (panels.insert(before).second && takeBackLastJoin(surface, before))
-			any = true;
+/// What did not hold. Where panels only overlap themselves the others stay as they are.
+/// \param before  its seams were drawn
+/// \return        per triangle whether its panel may be joined anew; empty when nothing could be divided
+std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPanels& sewn) {
+	std::vector<int> panels;
+	std::map<int, std::array<Eigen::Vector3d, 2>> overlaps;
+	for (const int panel : worstFirst(sewn)) {
+		const int failing = panelBefore(before, planned_, panel);
+		if (std::find(panels.begin(), panels.end(), failing) == panels.end())
+			panels.push_back(failing);
+		if (sewn.overlaps.count(panel) > 0)
+			overlaps[failing] = sewn.overlaps.at(panel);
 	}
-	return any;
-}
-
-/// Panels that fail only for they overlap themselves when laid flat are divided there.
-/// \return whether any could be
-bool PanelPlan::divideOverlapping(CutSurface& surface, const PlannedSurface& joined, const SewnPanels& sewn) {
-	bool any = false;
-	for (const auto& [panel, points] : sewn.overlaps) {
-		const int before = panelBefore(joined, panel);
-		history_.neverAgain(surface, before);
-		any = divideBetween(surface, before, points) || any;
-	}
-	return any;
-}
-
-/// The last that had two halves of a size to be seen. \return whether there was any
-bool PanelPlan::takeBackLastJoin(CutSurface& surface, int panel) {
-	constexpr double tooSmall = 0.01; // of the patch: the drawing of seams may lose it
-	const int patch = surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()];
-	const double least = tooSmall * surface.patchArea(patch);
-	while (true) {
-		const double whole = surface.area(panel);
-		const std::vector<int> triangles = surface.trianglesOf(panel);
-		if (!history_.takeBack(surface, panel))
-			return false;
-		for (const int t : triangles)
-			if (surface.area(surface.panelOf(t)) > surface.area(panel))
-				panel = surface.panelOf(t);
-		if (whole - surface.area(panel) >= least)
-			return true;
-	}
+	std::vector<char> mayJoin(clusters_.size(), 1);
+	if (overlaps.size() < panels.size())
+		return takeBackLastJoins(before.surface, panels, history_) ? mayJoin : std::vector<char>();
+	for (std::size_t t = 0; t < mayJoin.size(); ++t)
+		mayJoin[t] = overlaps.count(before.surface.panelOf(static_cast<int>(t))) > 0;
+	if (!divideOverlapping(before.surface, overlaps, history_))
+		return {};
+	std::map<std::pair<int, int>, int> numbers; // a cluster may have been divided, too
+	for (std::size_t t = 0; t < clusters_.size(); ++t)
+		clusters_[t] = numbers
+						   .emplace(std::make_pair(clusters_[t], before.surface.panelOf(static_cast<int>(t))),
+									int(numbers.size()))
+						   .first->second;
+	return mayJoin;
 }
 
 /// With darts where that makes all hold.
@@ -270,20 +180,6 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	return SewnRelief(planned_, options_, *tests_, dartTips_, reliefsLeft_,
 					  [this] { return sewTogether(true); })
 		.relieved(std::move(sewn));
-}
-
-/// The panel of a surface that was there before faces were split which has most of a panel that is there now.
-int PanelPlan::panelBefore(const PlannedSurface& before, int panel) const {
-	std::map<int, int> triangleOfFace;
-	for (int t = 0; t < before.mesh.triangleCount(); ++t)
-		triangleOfFace[before.mesh.face[t]] = t;
-	std::map<int, double> areas;
-	for (const int t : planned_.surface.trianglesOf(panel))
-		areas[before.surface.panelOf(triangleOfFace.at(planned_.mesh.face[t]))] +=
-			planned_.surface.areas()[t];
-	return std::max_element(areas.begin(), areas.end(),
-							[](const auto& a, const auto& b) { return a.second < b.second; })
-		->first;
 }
 
 /// Smooth seams move a little: first as little as can be, and where that holds as much as holds.
@@ -297,7 +193,7 @@ SewnPanels PanelPlan::smoothSeams() {
 	};
 	constexpr int rounds = 4;
 	drawing.smoothen();
-	for (int round = 0; round < rounds && !tests_->stopped() && holds(sewn); ++round) {
+	for (int round = 0; round < rounds && !tests_->stopped() && holds(sewn) && sewingsLeft_ > 0; ++round) {
 		const PlannedSurface safe = std::exchange(planned_, drawing.drawn());
 		SewnPanels smoother = sewTogether(true);
 		if (holds(smoother))
@@ -311,8 +207,6 @@ SewnPanels PanelPlan::smoothSeams() {
 }
 
 CutResult PanelPlan::run() {
-	makeClusters();
-	clusters_ = planned_.surface.panels();
 	joinUntilAllHold();
 	SewnPanels sewn = joinedWithDarts();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {

@@ -13,34 +13,24 @@ namespace developable::detail {
 
 class PanelPlan {
 public:
-	PanelPlan(const TriangleMesh& mesh, const PatchOptions& patches, const CutOptions& options,
-			  const Progress& progress);
+	PanelPlan(GivenPatches given, const CutOptions& options, const Progress& progress);
 
 	CutResult run();
 
 private:
 	std::vector<double> maxDisplacements() const;
-
-	/// Patches that are no panels become clusters of normals, each of which is one.
-	void makeClusters();
-	void tidyClusters();
-	void divideUntilFlat();
-	bool divideInTwo(int panel);
 	void joinToSoFew();
+
+	void joinUntilAllHold();
+	bool sewUntilAllHold(int rounds);
+	std::vector<char> divideFailing(PlannedSurface& before, const SewnPanels& sewn);
+	SewnPanels joinedWithDarts();
+	SewnPanels divideUntilAllHold();
 
 	SewnPanels sewTogether(bool brief);
 	SewnExcess sewnExcess();
-	SewnPanels joinedWithDarts();
-	SewnPanels divideUntilAllHold();
-	void joinUntilAllHold();
-	bool sewUntilAllHold(int rounds);
-	bool takeBackLastJoins(CutSurface& surface, const PlannedSurface& joined,
-						   const std::vector<int>& failing);
-	bool divideOverlapping(CutSurface& surface, const PlannedSurface& joined, const SewnPanels& sewn);
-	bool takeBackLastJoin(CutSurface& surface, int panel);
-	int panelBefore(const PlannedSurface& before, int panel) const;
-	SewnPanels relieved(SewnPanels sewn);
 	SewnPanels smoothSeams();
+	SewnPanels relieved(SewnPanels sewn);
 	Progress progressOfRest();
 
 	const CutOptions options_;
@@ -51,6 +41,7 @@ private:
 	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help.
 	static constexpr int mostReliefs = 12;
 	int reliefsLeft_ = mostReliefs;
+	int sewingsLeft_ = 30; // until what does not hold is just divided
 	std::vector<Eigen::Vector3d> dartTips_;
 	JoinHistory history_;
 };

@@ -25,10 +25,13 @@ bool isSheet(const PatchAssembly& assembly) {
 
 /// Long runs are for shapes that a user asks for: what a panel needs is near. Borders may kink: they still
 /// are jagged, and smooth ones need less.
-ConstrainedNewtonOptions briefRun(double maxDisplacement) {
+ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
+	constexpr double meanOnWay = 1.05, farthestOnWay = 2; // shapes that hold hardly ever have been farther
 	ConstrainedNewtonOptions options;
 	options.maxIterations = 60;
-	options.maxDisplacement = maxDisplacement;
+	options.maxDisplacement = limits.maxDisplacement;
+	options.tuning.wayMean = meanOnWay * limits.meanDisplacement / limits.maxDisplacement;
+	options.tuning.wayFarthest = farthestOnWay;
 	options.tuning.attempts = 1;
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
@@ -70,8 +73,7 @@ void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, co
 					PanelVerdict& verdict) {
 	Positions positions = assembly.originalPositions;
 	verdict.worstPoint = worstPoint(assembly, positions);
-	const ConstrainedNewtonReport report =
-		constrainedNewton(assembly, positions, briefRun(limits.maxDisplacement), progress);
+	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, briefRun(limits), progress);
 	const bool near = isNear(assembly, positions, limits, verdict);
 	if (!converged(report.status))
 		verdict.worstPoint = worstPoint(assembly, positions);

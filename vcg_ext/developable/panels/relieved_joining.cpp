@@ -10,11 +10,11 @@ namespace developable::detail {
 
 namespace {
 
-constexpr int batchSize = 4;              ///< of unions in whose darts are tried together
-constexpr int mostDarts = 6;              ///< in a union
-constexpr double worthwhile = 0.7;        ///< of the seam that goes: darts of more length are no gain
-constexpr double lengthIncrease = 1.25;   ///< from a dart to the next
-constexpr double workBesideJoining = 0.5; ///< of the work that was done before
+constexpr int unionsAtOnce = 4;         ///< of unions in whose darts are tried together
+constexpr int mostDarts = 6;            ///< in a union
+constexpr double worthwhile = 0.7;      ///< of the seam that goes: darts of more length are no gain
+constexpr double lengthIncrease = 1.25; ///< from a dart to the next
+constexpr double workOnUnions = 0.5;    ///< of the work that was done before
 
 /// Two panels as one, with darts.
 struct Union {
@@ -33,7 +33,7 @@ public:
 	RelievedJoining(CutSurface& surface, PanelTests& tests, JoinHistory& history,
 					std::vector<Eigen::Vector3d>& tips, const std::vector<char>& held)
 		: surface_(surface), tests_(tests), history_(history), tips_(tips), held_(held),
-		  mostWork_(tests.workWith(workBesideJoining)) {}
+		  mostWork_(tests.workWith(workOnUnions)) {}
 
 	void run() {
 		while (!tests_.stopped() && tests_.work() < mostWork_) {
@@ -55,7 +55,7 @@ private:
 				   tried_.insert({chain.panels[0], chain.panels[1], chain.halfEdges.front()}).second;
 		};
 		std::vector<Union> unions;
-		for (const SeamChain& chain : firstApart(longestFirst(seamChains(surface_)), batchSize, isNew)) {
+		for (const SeamChain& chain : firstApart(longestFirst(seamChains(surface_)), unionsAtOnce, isNew)) {
 			Union joined{chain, surface_, -1, {}, 0, {}};
 			joined.panel = joined.surface.join(chain.halfEdges);
 			unions.push_back(std::move(joined));

@@ -30,8 +30,7 @@ int panelAt(const CutSurface& surface, const Eigen::Vector3d& point) {
 	int nearest = 0;
 	double least = std::numeric_limits<double>::infinity();
 	for (int t = 0; t < surface.assembly().triangleCount(); ++t) {
-		const Eigen::Vector3d middle =
-			(surface.middleOf(3 * t) + surface.middleOf(3 * t + 1) + surface.middleOf(3 * t + 2)) / 3;
+		const Eigen::Vector3d middle = surface.barycentre(t);
 		if ((middle - point).squaredNorm() < least) {
 			least = (middle - point).squaredNorm();
 			nearest = t;

@@ -16,7 +16,7 @@ public:
 	/// At first seams move as little as can be.
 	/// \param planned   outlives this
 	/// \param clusters  per triangle; both sides of any cut differ
-	/// \param dartTips  where darts end that no seam shows; both outlive this
+	/// \param dartTips  where darts end that no seam shows
 	SeamDrawing(const PlannedSurface& planned, const std::vector<int>& clusters,
 				const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options);
 
@@ -35,8 +35,8 @@ private:
 	PlannedSurface splitAlong(const Memberships& spread) const;
 
 	const PlannedSurface& planned_;
-	const std::vector<Eigen::Vector3d>& dartTips_;
-	const CutOptions& options_;
+	const std::vector<Eigen::Vector3d> dartTips_;
+	const CutOptions options_;
 	SlitLabels labels_;
 	SharpFeatures features_;
 	std::vector<int> tightness_; ///< per triangle

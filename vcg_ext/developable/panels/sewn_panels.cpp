@@ -85,10 +85,10 @@ void measurePanels(const PatchAssembly& assembly, const Positions& positions, co
 void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
 					const std::vector<int>& panelOfPatch, SewnPanels& result) {
 	const FlatPatterns patterns = flattenPatches(assembly, positions);
-	const auto pointAt = [&](int h) -> Eigen::Vector3d {
-		return (assembly.originalPositions.col(assembly.placeAt(h)) +
-				assembly.originalPositions.col(assembly.placeAt(nextCorner(h)))) /
-			   2;
+	const auto pointAt = [&](int h) -> Eigen::Vector3d { // inside the triangle: beside a slit, not on it
+		return assembly.originalPositions(Eigen::all, assembly.trianglePlaces.col(triangleOf(h)))
+			.rowwise()
+			.mean();
 	};
 	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch) {
 		const FlatPiece& piece = patterns.pieces[patch];
