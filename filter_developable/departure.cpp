@@ -52,15 +52,17 @@ void addDeparture(Results& results, const PatchAssembly& assembly, const Positio
 
 } // namespace
 
-std::vector<std::string> departuresInWords(Results results, const PatchAssembly& assembly,
-										   const Positions& positions) {
-	addDeparture(results, assembly, positions);
-	std::vector<std::string> sentences;
+void logWarnings(const FilterCall& call, const Results& results) {
 	for (const Warning& warning : departureWarnings)
 		for (const Result& result : results)
 			if (result.key == warning.key && numberOf(result) > warning.limit)
-				sentences.push_back(filledIn(warning.text, results));
-	return sentences;
+				call.log("warning: " + filledIn(warning.text, results));
+}
+
+void logDepartures(const FilterCall& call, Results results, const PatchAssembly& assembly,
+				   const Positions& positions) {
+	addDeparture(results, assembly, positions);
+	logWarnings(call, results);
 }
 
 } // namespace developable::plugin

@@ -2,6 +2,7 @@
 // departure.h: how far a result is from what it began as, in numbers that a user should be warned of.
 #pragma once
 
+#include "filter_call.h"
 #include "results.h"
 
 #include "developable/mesh/mesh.h"
@@ -22,12 +23,17 @@ inline constexpr Warning departureWarnings[] = {
 	 "of the diagonal"},
 	{"folded_faces", 0, "{folded_faces} faces are folded over their neighbours"},
 	{"shrunken_patches", 0, "{shrunken_patches} of {patches} patches lost more than half of their area"},
+	{"collapsed_faces", 0,
+	 "laid flat as it is, {collapsed_faces} faces collapse, thinner than a tenth: their stretch counts as 900 %"},
 };
 
-/// The sentences of what is above its limit: the largest displacement in per cent of the diagonal of the
+/// Logs the sentences of those results that are above their limits.
+void logWarnings(const FilterCall& call, const Results& results);
+
+/// The same of an optimisation: the largest displacement in per cent of the diagonal of the
 /// original's box; faces at edges whose normals made less than 90° and make more than 120°; patches whose
 /// area is less than half of what it was. \param results  with the other numbers that the sentences take
-std::vector<std::string> departuresInWords(Results results, const PatchAssembly& assembly,
-										   const Positions& positions);
+void logDepartures(const FilterCall& call, Results results, const PatchAssembly& assembly,
+				   const Positions& positions);
 
 } // namespace developable::plugin

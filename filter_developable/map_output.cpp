@@ -22,7 +22,9 @@ namespace {
 ///
 /// \param diagonal  of the layer's box
 double noiseOf(const MapProperties& properties, double diagonal) {
-	constexpr double share = 1e-5;
+	constexpr double ofLengths = 1e-5;
+	constexpr double ofAngles = 1e-4; // as much as a developable point may have left
+	const double share = properties.lengthPower == 0 ? ofAngles : ofLengths;
 	const double noise = share * std::pow(diagonal > 0 ? diagonal : 1, properties.lengthPower);
 	return properties.isSquare ? share * noise : noise;
 }

@@ -2,6 +2,7 @@
 // material_verdict.cpp: the verdict in words and numbers.
 #include "material_verdict.h"
 
+#include "departure.h"
 #include "materials.h"
 
 namespace developable::plugin {
@@ -93,6 +94,8 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 	try {
 		const FlatPatterns patterns = flattenPatches(assembly, positions, options);
 		addStrains(results, patterns.report);
+		results.push_back({"collapsed_faces", patterns.report.collapsedFaces, ""});
+		logWarnings(call, {results.back()});
 		if (!options.bounds.any())
 			return;
 		call.log(verdict(chosenMaterial(call.values), assembly, patterns, positions));
@@ -102,6 +105,7 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 		const Error&) { // it has handles or one side only; the optimisation has done its part all the same
 		results.push_back({"max_stretch", -1.0, ""});
 		results.push_back({"max_compression", -1.0, ""});
+		results.push_back({"collapsed_faces", -1, ""});
 	}
 }
 

@@ -12,9 +12,9 @@ namespace developable::plugin {
 /// `max_stretch` and `max_compression` of patterns, per cent.
 void addStrains(Results& results, const FlattenReport& report);
 
-/// Lays the shape flat within the bounds of its material, adds the pattern's strains to the results and logs
-/// whether every panel is within its bounds, or which is beyond them, where and by how much. Where the shape
-/// can't be laid flat at all the strains are -1.
+/// Lays the shape flat within the bounds of its material, adds the pattern's strains and `collapsed_faces` to
+/// the results and logs whether every panel is within its bounds, or which is beyond them, where and by how
+/// much. Where the shape can't be laid flat at all the strains are -1. Collapsed faces get a warning.
 /// \param positions  3 x places
 void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positions& positions,
 				   Results& results);

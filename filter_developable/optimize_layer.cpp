@@ -27,17 +27,10 @@ void addReason(Results& results, const OptimizationReport& report) {
 	results.push_back({"reason", static_cast<int>(report.reason), ""});
 	results.push_back({"patches_needing_cut", report.patchesNeedingCut, ""});
 	results.push_back({"nearest_developable", report.nearestDevelopable, ""});
+	results.push_back({"border_overlaps", report.borderOverlaps, ""});
 	results.push_back({"worst_x", x, ""});
 	results.push_back({"worst_y", y, ""});
 	results.push_back({"worst_z", z, ""});
-}
-
-/// Why the run ended, in a sentence.
-/// \param results  with all the numbers that it takes
-std::string reasonInWords(const OptimizationReport& report, const Results& results) {
-	if (report.reason == Reason::AsStatus)
-		return describe(report.status);
-	return filledIn(reasonProperties[static_cast<int>(report.reason)].text, results);
 }
 
 /// What the log says of the status: never D without C, as D says little on fine meshes.
@@ -147,7 +140,7 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 		report.reason = Reason::NearlyThere;
 	results.push_back({"edge_strain_left", strain.value_or(0), ""});
 	addReason(results, report);
-	const std::string reason = reasonInWords(report, results);
+	const std::string reason = reasonInWords(report.status, report.reason, results);
 	results.push_back({"status", static_cast<int>(report.status),
 					   statusInWords(report, reason, before, after, angleTolerance)});
 	call.verdict(reason +
@@ -157,8 +150,7 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 						  results));
 	logPanels(call, panels);
 	if (report.status != Status::Stopped) {
-		for (const std::string& sentence : departuresInWords(results, assembly, result.positions))
-			call.log("warning: " + sentence);
+		logDepartures(call, results, assembly, result.positions);
 		write(call, assembly, result.positions, panels);
 		call.log(
 			"way back: MeshLab does not undo filters, but the filter Restore Original Shape takes this one back");

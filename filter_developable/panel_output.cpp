@@ -14,16 +14,26 @@ namespace {
 
 constexpr std::size_t mostLines = 20; ///< in the log
 
+std::string reasonOf(const PanelReport& panel) {
+	if (panel.verdict.reason != Reason::BorderOverlaps)
+		return describe(panel.verdict.status);
+	const Eigen::Vector3d& worst = panel.after.worstPoint;
+	return reasonInWords(panel.verdict.status, panel.verdict.reason,
+						 {{"border_overlaps", panel.verdict.borderOverlaps, ""},
+						  {"worst_x", worst[0], ""},
+						  {"worst_y", worst[1], ""},
+						  {"worst_z", worst[2], ""}});
+}
+
 std::string inWords(const PanelReport& panel) {
 	const PatchMeasures &before = panel.before, &after = panel.after;
 	const auto number = [](double value) { return formatted(value, 4); };
-	const std::string status = describe(panel.verdict.status);
-	std::string words = status + "; " + std::to_string(after.faces) + " faces, C " +
+	std::string words = reasonOf(panel) + "; " + std::to_string(after.faces) + " faces, C " +
 						number(before.curvature) + " to " + number(after.curvature) +
 						" rad, largest angle defect " + number(after.maxAngleDefect) + " rad, moved " +
 						number(after.meanDisplacement) + " on average and " + number(after.maxDisplacement) +
 						" at most";
-	if (!converged(panel.verdict.status))
+	if (!converged(panel.verdict.status) && panel.verdict.reason != Reason::BorderOverlaps)
 		words += "; most curvature is left at (" + number(after.worstPoint[0]) + ", " +
 				 number(after.worstPoint[1]) + ", " + number(after.worstPoint[2]) + ")";
 	if (panel.verdict.nearestDevelopable > 0)
@@ -50,18 +60,36 @@ PatchVerdict verdictOf(const PatchMeasures& before, const PatchMeasures& after, 
 																				: Status::NothingToDo};
 }
 
+/// Where the angles at the border of a patch add up to most.
+Eigen::Vector3d widestBorderPoint(const PatchAssembly& assembly, const Positions& positions,
+								  const Eigen::VectorXd& angles, int patch) {
+	int widest = 0;
+	double most = -1;
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		if (assembly.patchOfCopy[copy] == patch && angles[copy] > most) {
+			most = angles[copy];
+			widest = assembly.placeOfCopy[copy];
+		}
+	return positions.col(widest);
+}
+
 } // namespace
 
 std::vector<PanelReport> panelReports(const PatchAssembly& assembly, const Positions& positions,
 									  const OptimizationReport& report, double angleTolerance) {
 	const std::vector<PatchMeasures> before = measuresInMeshUnits(assembly, assembly.originalPositions),
 									 after = measuresInMeshUnits(assembly, positions);
+	const Eigen::VectorXd angles = borderAngles(assembly, positions);
 	std::vector<PanelReport> panels;
 	for (std::size_t i = 0; i < after.size(); ++i)
 		panels.push_back({report.patchVerdicts.empty()
 							  ? verdictOf(before[i], after[i], report.status, angleTolerance)
 							  : report.patchVerdicts[i],
 						  before[i], after[i]});
+	for (std::size_t i = 0; i < panels.size(); ++i)
+		if (panels[i].verdict.reason == Reason::BorderOverlaps)
+			panels[i].after.worstPoint =
+				inMeshUnits(assembly.lengthExponent, widestBorderPoint(assembly, positions, angles, int(i)));
 	return panels;
 }
 
@@ -106,6 +134,7 @@ void writePanels(CMeshO& mesh, const PatchAssembly& assembly, const std::vector<
 	write("panel_max_displacement", [](const PanelReport& panel) { return panel.after.maxDisplacement; });
 	write("panel_nearest_developable",
 		  [](const PanelReport& panel) { return panel.verdict.nearestDevelopable; });
+	write("panel_border_overlaps", [](const PanelReport& panel) { return panel.verdict.borderOverlaps; });
 	Positions worst(3, panels.size());
 	for (std::size_t i = 0; i < panels.size(); ++i)
 		worst.col(Eigen::Index(i)) = panels[i].after.worstPoint;

@@ -27,7 +27,8 @@ void logPanels(const FilterCall& call, const std::vector<PanelReport>& panels);
 
 /// Writes the face attributes `panel` (-1 for faces that were not worked on) and `panel_status`,
 /// `panel_reason`, `panel_curvature_before`, `panel_curvature`, `panel_max_angle_defect`,
-/// `panel_mean_displacement`, `panel_max_displacement`, `panel_nearest_developable`, `panel_worst_point`.
+/// `panel_mean_displacement`, `panel_max_displacement`, `panel_nearest_developable`, `panel_border_overlaps`,
+/// `panel_worst_point`.
 void writePanels(CMeshO& mesh, const PatchAssembly& assembly, const std::vector<PanelReport>& panels);
 
 } // namespace developable::plugin

@@ -43,6 +43,11 @@ std::string filledIn(std::string text, const Results& results) {
 	return text;
 }
 
+std::string reasonInWords(Status status, Reason reason, const Results& results) {
+	return reason == Reason::AsStatus ? describe(status)
+									  : filledIn(reasonProperties[static_cast<int>(reason)].text, results);
+}
+
 std::string logLine(const Result& result) {
 	const std::string value = std::visit([](auto number) { return inWords(number); }, result.value);
 	return result.key + ": " + (result.words.empty() ? value : result.words);

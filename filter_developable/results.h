@@ -2,6 +2,8 @@
 // results.h: the numbers that a filter returns, in order, and how they read in the log.
 #pragma once
 
+#include "developable/mesh/mesh.h"
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -25,6 +27,9 @@ std::string formatted(double number, int digits = 9);
 
 /// A text with each {key} in place of which that result is put; numbers with four digits.
 std::string filledIn(std::string text, const Results& results);
+
+/// Why a run ended, in a sentence. \param results  with all the numbers that it takes
+std::string reasonInWords(Status status, Reason reason, const Results& results);
 
 /// "key: value".
 std::string logLine(const Result& result);

@@ -602,6 +602,7 @@ class Reason(enum.IntEnum):
     NEARLY_THERE = 6
     BEYOND_BOUNDS = 7
     WITHIN_BOUNDS = 8
+    BORDER_OVERLAPS = 9
 
     @property
     def text(self) -> str:
@@ -619,6 +620,7 @@ _REASON_TEXTS = {
     Reason.NEARLY_THERE: "no developable shape near this one: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z}); but it is nearly there: laid flat as it is, no edge changes its length by more than {edge_strain_left} %",
     Reason.BEYOND_BOUNDS: "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
     Reason.WITHIN_BOUNDS: "every panel has a pattern within the allowed strain",
+    Reason.BORDER_OVERLAPS: "the curvature is gone, but the angles of a panel's faces add up to more than a full turn at border vertices ({border_overlaps} in number), first of all at ({worst_x}, {worst_y}, {worst_z}): laid flat it overlaps itself there; a cut that ends there would do, or more room to move (max_displacement, fewer vertices held still)",
 }
 
 
@@ -631,4 +633,9 @@ WARNINGS = (
     ),
     ("folded_faces", 0.0, "{folded_faces} faces are folded over their neighbours"),
     ("shrunken_patches", 0.0, "{shrunken_patches} of {patches} patches lost more than half of their area"),
+    (
+        "collapsed_faces",
+        0.0,
+        "laid flat as it is, {collapsed_faces} faces collapse, thinner than a tenth: their stretch counts as 900 %",
+    ),
 )

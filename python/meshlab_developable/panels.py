@@ -18,6 +18,7 @@ _ATTRIBUTES = {  # of the faces, by the report's field
     "mean_displacement": "panel_mean_displacement",
     "max_displacement": "panel_max_displacement",
     "nearest_developable": "panel_nearest_developable",
+    "border_overlaps": "panel_border_overlaps",
 }
 
 
@@ -36,7 +37,7 @@ def panel_reports(mesh: Any) -> list[PanelReport]:
     reports = []
     for row in np.flatnonzero(panels >= 0):
         numbers: dict[str, Any] = {field: float(column[row]) for field, column in columns.items()}
-        numbers |= {"status": int(numbers["status"]), "reason": int(numbers["reason"])}
+        numbers |= {field: int(numbers[field]) for field in ("status", "reason", "border_overlaps")}
         place = tuple(map(float, worst[row]))
         index, faces = int(panels[row]), int(counts[row])
         reports.append(

@@ -50,8 +50,11 @@ class PanelReport:
     max_angle_defect: float  # rad
     mean_displacement: float
     max_displacement: float
-    worst_point: tuple[float, float, float]  # where the angle defect is largest
+    worst_point: tuple[
+        float, float, float
+    ]  # where the angle defect is largest, or the border overlaps itself most
     nearest_developable: float  # how far the nearest developable shape found moves a vertex, where too far; 0
+    border_overlaps: int  # border vertices where it overlaps itself when flat, though the curvature is gone
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> Self:
@@ -93,6 +96,7 @@ class OptimizationReport(_Report):
     worst_y: float
     worst_z: float
     nearest_developable: float  # how far the nearest developable shape found moves a vertex, where too far; 0
+    border_overlaps: int  # border vertices where it overlaps itself when flat, though the curvature is gone
     edge_strain_left: (
         float  # per cent, of what is nearly developable, laid flat as it is; 0 where not measured
     )
@@ -115,7 +119,7 @@ class OptimizationReport(_Report):
     def compared(self, departure: Mapping[str, float]) -> Self:
         """With warnings of what is above its limit, in the words of the filter's log. See `departure`."""
         values = {**dataclasses.asdict(self), **departure}
-        found = (_filled_in(text, values) for key, limit, text in WARNINGS if values[key] > limit)
+        found = (_filled_in(text, values) for key, limit, text in WARNINGS if values.get(key, 0) > limit)
         return dataclasses.replace(self, warnings=tuple(found))
 
 
@@ -139,6 +143,7 @@ class GlobalReport(OptimizationReport):
     max_border_angle: float  # what a panel's angles add up to at a border vertex, at most; rad
     max_stretch: float  # of the result's pattern, per cent; -1 where it can't be laid flat
     max_compression: float
+    collapsed_faces: int  # of the pattern, thinner than a tenth: their stretch counts as 900 %
 
 
 @dataclasses.dataclass(frozen=True)

@@ -34,6 +34,7 @@ COMMON_KEYS = {
     "panels_converged",
     "panels_need_cut",
     "nearest_developable",
+    "border_overlaps",
     "edge_strain_left",
     "iterations",
     "converged",
@@ -45,10 +46,12 @@ COMMON_KEYS = {
     "worst_z",
     "seconds",
 }
-GLOBAL_KEYS = {"max_stretch", "max_compression", "max_border_angle"}
+GLOBAL_KEYS = {"max_stretch", "max_compression", "max_border_angle", "collapsed_faces"}
 LOCAL_KEYS = {"set_aside", "refused_moves", "roughness_before", "roughness_after"}
 INTEGERS = {
+    "collapsed_faces",
     "patches",
+    "border_overlaps",
     "assembling_vertices",
     "interior_vertices",
     "panels_converged",

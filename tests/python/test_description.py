@@ -85,4 +85,5 @@ def test_reasons_have_the_numbers_of_the_interface():
         "NEARLY_THERE": 6,
         "BEYOND_BOUNDS": 7,
         "WITHIN_BOUNDS": 8,
+        "BORDER_OVERLAPS": 9,
     }
