@@ -57,16 +57,18 @@ void BendingMatrix::addPlates(const Eigen::VectorXd& smoothness) {
 	for (int t = 0; t < assembly_.triangleCount(); ++t)
 		patchArea[assembly_.patchOfTriangle[t]] += areas_[t];
 	const FittedHessian hessian(assembly_, areas_);
+	const double wholeArea = areas_.sum();
 	for (int t = 0; t < assembly_.triangleCount(); ++t) {
 		const int patch = assembly_.patchOfTriangle[t];
 		const TriangleBending bending = hessian.bending(t);
 		addSquares(bending.places, bending.rows,
-				   smoothness[patch] * patchArea[patch] * patchArea[patch] / areas_.sum());
+				   smoothness[patch] * patchArea[patch] * patchArea[patch] / wholeArea);
 	}
 }
 
 void BendingMatrix::addRods(const Eigen::VectorXd& smoothness, double rods) {
 	const Eigen::VectorXd partArea = partAreas(assembly_, areas_);
+	const double wholeArea = areas_.sum();
 	Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(assembly_.placeCount()); // β
 	for (int copy = 0; copy < assembly_.copyCount(); ++copy) {
 		double& ofPlace = stiffness[assembly_.placeOfCopy[copy]];
@@ -74,7 +76,7 @@ void BendingMatrix::addRods(const Eigen::VectorXd& smoothness, double rods) {
 	}
 	for (const RodJoint& joint : rodJoints(assembly_, {}))
 		addSquares({joint.begin(), joint.end()}, rodBending(assembly_, joint).transpose(),
-				   stiffness[joint[1]] * std::pow(partArea[joint[1]], 2.5) / areas_.sum());
+				   stiffness[joint[1]] * std::pow(partArea[joint[1]], 2.5) / wholeArea);
 }
 
 template <class Rows>

@@ -21,9 +21,10 @@ DefectJacobian::DefectJacobian(const PatchAssembly& assembly, const Eigen::Vecto
 			copyOfRow_.push_back(copy);
 		}
 	const Eigen::VectorXd areas = copyAreas(assembly, assembly.originalPositions);
+	const double wholeArea = areas.sum();
 	rowScale_.resize(rowCount());
 	for (int row = 0; row < copyRows(); ++row)
-		rowScale_[row] = std::sqrt(areas.sum() / areas[copyOfRow_[row]]);
+		rowScale_[row] = std::sqrt(wholeArea / areas[copyOfRow_[row]]);
 	for (int row = copyRows(); row < rowCount(); ++row)
 		rowScale_[row] = 1 / std::sqrt(placeMass[turns_.joints()[row - copyRows()][1]]);
 	setPlaceMass(placeMass);
