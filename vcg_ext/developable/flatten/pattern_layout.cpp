@@ -90,13 +90,14 @@ void offerSidesBetweenCorners(const FlatPatterns& patterns, const std::vector<in
 
 /// Which direction of a piece is to be upright: along its longest side, the way up that it has on the model.
 Eigen::Vector2d uprightDirection(const FlatPatterns& patterns, const std::array<int, 2>& side,
-								 const Positions& model, const Eigen::Matrix2Xd& points) {
+								 const Positions& model, const Eigen::Vector3d& modelAxis,
+								 const Eigen::Matrix2Xd& points) {
 	if (side[0] < 0)
 		return principalDirection(points);
 	const Eigen::Vector2d chord = patterns.positions.col(side[1]) - patterns.positions.col(side[0]);
 	const Eigen::Vector3d onModel =
 		model.col(patterns.placeOfVertex[side[1]]) - model.col(patterns.placeOfVertex[side[0]]);
-	return (onModel.dot(longestAxis(model)) < 0 ? -1 : 1) * chord.normalized();
+	return (onModel.dot(modelAxis) < 0 ? -1 : 1) * chord.normalized();
 }
 
 } // namespace
@@ -124,10 +125,11 @@ std::vector<std::array<int, 2>> longestSides(const PatchAssembly& assembly, cons
 
 void standUpright(const Positions& model, FlatPatterns& patterns,
 				  const std::vector<std::array<int, 2>>& longestSides, const std::vector<int>& firstVertex) {
+	const Eigen::Vector3d modelAxis = longestAxis(model);
 	for (std::size_t piece = 0; piece < longestSides.size(); ++piece) {
 		auto points =
 			patterns.positions.middleCols(firstVertex[piece], firstVertex[piece + 1] - firstVertex[piece]);
-		const Eigen::Vector2d up = uprightDirection(patterns, longestSides[piece], model, points);
+		const Eigen::Vector2d up = uprightDirection(patterns, longestSides[piece], model, modelAxis, points);
 		Eigen::Matrix2d rotation;
 		rotation << up[1], -up[0], up[0], up[1];
 		points = (rotation * points).eval();
