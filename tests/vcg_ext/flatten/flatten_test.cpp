@@ -68,6 +68,23 @@ TEST(Flatten, IsTheSameEveryTime) {
 	EXPECT_EQ(flattened(mesh).positions, flattened(mesh).positions);
 }
 
+TEST(Flatten, PiecesAreTheSameOnAnyNumberOfThreads) {
+	const PatchAssembly assembly =
+		assembled(together(together(jitteredGrid(18, 14, bumpedCylinder), grid(9, 12, coneBand)),
+						   jitteredGrid(12, 12, sphereCap(1))));
+	for (const double allowed : {0.0, 0.01}) {
+		FlattenOptions options;
+		options.bounds = StrainBounds::isotropic(allowed, allowed);
+		options.threads = 1;
+		const FlatPatterns single = flattenPatches(assembly, assembly.originalPositions, options);
+		for (const int threads : {2, 3}) {
+			options.threads = threads;
+			EXPECT_EQ(flattenPatches(assembly, assembly.originalPositions, options).positions,
+					  single.positions);
+		}
+	}
+}
+
 TEST(Flatten, TheOutsideShowsWhicheverWayTheFacesAreTurned) {
 	TriangleMesh mesh = grid(12, 9, quarterCylinder);
 	TriangleMesh inside = mesh;
@@ -114,6 +131,9 @@ TEST(Flatten, RefusesWhatCannotBeFlatAndSaysHowMany) {
 	const auto sewn = [](int v) { return v % 21 == 20 ? (2 - v / 21) * 21 : v; };
 	EXPECT_THROW(flattened(makeMesh(strip.positions, strip.triangles.unaryExpr(sewn))), NonOrientablePatch);
 	EXPECT_THROW(flattened(grid(3, 3, flatSheet), {std::nan(""), 400}), InvalidParameter);
+	FlattenOptions options;
+	options.threads = -1;
+	EXPECT_THROW(flattened(grid(3, 3, flatSheet), options), InvalidParameter);
 }
 
 TEST(Flatten, StopsWhenAsked) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -33,6 +34,16 @@ TEST(ParallelTasks, RunEachOnce) {
 		EXPECT_EQ(runs, std::vector<int>(100, 1));
 	}
 	runTasks({}, 2, {});
+}
+
+TEST(ParallelTasks, UseNoMoreThreadsThanTheEnvironmentAllows) {
+	const int processors = availableThreads();
+	for (const auto& [asked, expected] : {std::pair("1", 1), std::pair("100000", processors),
+										  std::pair("0", processors), std::pair("many", processors)}) {
+		setenv("OMP_NUM_THREADS", asked, 1);
+		EXPECT_EQ(availableThreads(), expected);
+	}
+	unsetenv("OMP_NUM_THREADS");
 }
 
 TEST(ParallelTasks, BeginWithTheLargest) {

@@ -13,16 +13,17 @@ FlatPatterns flattenPatches(const PatchAssembly& assembly, const Positions& posi
 	if (!std::isfinite(options.gap))
 		throw InvalidParameter(
 			"The gap between pieces is not a number: choose a length, or -1 for the default.");
+	requireOption(options.threads >= 0, "The number of threads must not be negative.");
 	requireValid(options.bounds);
 	requireOpenPatches(assembly);
 	requireOrientablePatches(assembly);
 	detail::PatternMaker maker(assembly, positions);
-	if (!maker.flattenPanels(options.iterations, options.bounds.any(), progress)) {
+	if (!maker.flattenPanels(options.iterations, options.bounds.any(), options.threads, progress)) {
 		FlatPatterns none;
 		none.report.stopped = true;
 		return none;
 	}
-	maker.keepWithin(options.bounds, options.grain, options.onlyWithin);
+	maker.keepWithin(options.bounds, options.grain, options.onlyWithin, options.threads);
 	return maker.makePatterns(options.gap);
 }
 

@@ -26,6 +26,7 @@ struct FlattenOptions {
 	/// Only whether there is a layout within the bounds: where none can be hoped for, the nearest to them is
 	/// not looked for.
 	bool onlyWithin = false;
+	int threads = 0; ///< pieces laid flat side by side, with the same bits for any number; 0: all processors
 };
 
 /// Lays every patch flat: from the minimum of Σ (flattened length − length)² over its edges (Eq. 7) without

@@ -37,29 +37,36 @@ void PatternMaker::requireNoHandles() const {
 			seePatch(assembly_, withHandles.front()));
 }
 
-bool PatternMaker::flattenPanels(int iterations, bool leastSquares, const Progress& progress) {
-	double done = 0;
-	for (int piece = 0; piece < assembly_.patchCount(); ++piece) {
-		const double share = double(assembly_.patches[piece].triangles) / assembly_.triangleCount();
-		const Progress panelProgress = partOf(progress, done, done + share);
-		flat_.push_back(flattenPanel(panels_[piece], iterations, leastSquares, panelProgress));
-		if (flat_.back().minimum.stopped)
-			return false;
-		done += share;
-	}
-	return true;
+bool PatternMaker::flattenPanels(int iterations, bool leastSquares, int threads, const Progress& progress) {
+	flat_.resize(assembly_.patchCount());
+	forEachPiece(threads, progress, [&](int piece, const Progress& ofPiece) {
+		flat_[piece] = flattenPanel(panels_[piece], iterations, leastSquares, ofPiece);
+	});
+	return std::none_of(flat_.begin(), flat_.end(),
+						[](const FlatPanel& flat) { return flat.minimum.stopped; });
 }
 
-void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin) {
+void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin, int threads) {
 	patterns_.bounds = bounds;
 	patterns_.grain = grain;
 	if (!bounds.any())
 		return;
 	joinPanels();
 	const auto sides = longestSides(assembly_, patterns_, outerLoops());
-	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+	forEachPiece(threads, {}, [&](int piece, const Progress&) {
 		flat_[piece].positions = boundedLayout(flat_[piece].mesh, flat_[piece].positions, bounds, grain,
 											   panelVertices(piece, sides[piece]), onlyWithin);
+	});
+}
+
+void PatternMaker::forEachPiece(int threads, const Progress& progress,
+								const std::function<void(int, const Progress&)>& work) const {
+	std::vector<Task> tasks;
+	tasks.reserve(assembly_.patchCount());
+	for (int piece = 0; piece < assembly_.patchCount(); ++piece)
+		tasks.push_back({double(assembly_.patches[piece].triangles),
+						 [&work, piece](const Progress& ofPiece) { work(piece, ofPiece); }});
+	runTasks(tasks, threads, progress);
 }
 
 std::array<int, 2> PatternMaker::panelVertices(int piece, const std::array<int, 2>& patternVertices) const {

@@ -6,6 +6,8 @@
 #include "panel_flattener.h"
 #include "panel_maker.h"
 
+#include <functional>
+
 namespace developable::detail {
 
 /// Puts panels together into patterns.
@@ -18,11 +20,12 @@ public:
 
 	/// \param iterations  at most, for each panel
 	/// \param leastSquares  see flattenPanel
+	/// \param threads     see FlattenOptions
 	/// \return            false when the user asked for a stop
-	bool flattenPanels(int iterations, bool leastSquares, const Progress& progress);
+	bool flattenPanels(int iterations, bool leastSquares, int threads, const Progress& progress);
 
 	/// After the panels are flat: brings their triangles within the bounds, if there are any.
-	void keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin);
+	void keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin, int threads);
 
 	/// Once, after the panels are flat.
 	/// \param gap  see FlattenOptions
@@ -30,6 +33,11 @@ public:
 
 private:
 	void requireNoHandles() const;
+
+	/// Pieces side by side; what comes of one depends on no other.
+	void forEachPiece(int threads, const Progress& progress,
+					  const std::function<void(int, const Progress&)>& work) const;
+
 	void joinPanels();
 
 	/// Within a piece vertices follow the order of their places, so that a disk keeps the model's order.

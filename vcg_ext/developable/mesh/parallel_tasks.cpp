@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -142,15 +143,22 @@ private:
 	std::exception_ptr failure_;             ///< of telling how far they are
 };
 
-} // namespace
-
-int availableThreads() {
+int availableProcessors() {
 #ifdef __linux__
 	cpu_set_t processors;
 	if (sched_getaffinity(0, sizeof processors, &processors) == 0)
 		return std::max(1, CPU_COUNT(&processors));
 #endif
 	return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
+int availableThreads() {
+	const char* asked = std::getenv("OMP_NUM_THREADS");
+	const int most = asked == nullptr ? 0 : std::atoi(asked);
+	const int processors = availableProcessors();
+	return most > 0 ? std::min(most, processors) : processors;
 }
 
 void runTasks(const std::vector<Task>& tasks, int threads, const Progress& progress) {

@@ -14,7 +14,8 @@ struct Task {
 	std::function<void(const Progress&)> run;
 };
 
-/// How many threads can work at once: as many as there are processors that this process may use.
+/// How many threads may work at once: as many as there are processors that this process may use, or fewer
+/// when the environment variable OMP_NUM_THREADS says so, as it does in each worker of a batch.
 int availableThreads();
 
 /// Runs all tasks, large ones first, and returns when they have ended. Progress is only called from the
