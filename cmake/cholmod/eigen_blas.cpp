@@ -2,6 +2,7 @@
 // eigen_blas.cpp: the dense routines under their Fortran names, with the widest registers that there are.
 #include "eigen_routines.h"
 #include "out_of_memory.h"
+#include "split_routines.h"
 
 #include <complex>
 #include <new>
@@ -13,13 +14,15 @@ const DenseRoutines<Scalar>& routines() {
 	return eigenRoutines<Scalar>;
 }
 
-#ifdef __x86_64__
 template <>
 const DenseRoutines<double>& routines<double>() {
+#ifdef __x86_64__
 	static const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-	return wide ? routinesForAvx2 : eigenRoutines<double>;
-}
+	if (wide)
+		return SplitRoutines<routinesForAvx2>::table;
 #endif
+	return SplitRoutines<eigenRoutines<double>>::table;
+}
 
 /// CHOLMOD is C: no exception may pass through it.
 template <class Routine>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
-   out_of_memory.h: whether CHOLMOD and METIS had all the memory that they asked for. What they return doesn't say:
-   CHOLMOD forgets some of its failures and doesn't look at METIS'. */
+   out_of_memory.h: whether CHOLMOD and METIS had all the memory that they asked for. What they return doesn't
+   say: CHOLMOD forgets some of its failures and doesn't look at METIS'. */
 #pragma once
 
 #ifdef __cplusplus

@@ -3,7 +3,10 @@
 #include "sparse_cholesky.h"
 
 #ifdef DEVELOPABLE_WITH_CHOLMOD
+#include "developable/mesh/parallel_tasks.h"
+
 #include <Eigen/CholmodSupport>
+#include <dense_threads.h>
 #include <mutex>
 #include <new>
 #include <out_of_memory.h>
@@ -37,6 +40,7 @@ public:
 	}
 
 	void findNumbers(const SparseMatrix& matrix) {
+		const DenseThreads threads(threadsAtHand());
 		forgetOutOfMemory();
 		factorize(matrix);
 		requireMemory();

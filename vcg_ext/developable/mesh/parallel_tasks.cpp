@@ -13,6 +13,7 @@
 #include <numeric>
 #include <system_error>
 #include <thread>
+#include <utility>
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -23,11 +24,18 @@ namespace {
 
 constexpr std::chrono::milliseconds pause(20); ///< between two looks at how far the workers are
 
+/// Of the task that this thread works on; 0: none.
+int& shareOfThisThread() {
+	static thread_local int share = 0;
+	return share;
+}
+
 class TaskRun {
 public:
-	TaskRun(const std::vector<Task>& tasks, const Progress& progress)
-		: tasks_(tasks), progress_(progress), order_(tasks.size()), fractions_(tasks.size(), 0),
-		  errors_(tasks.size()) {
+	/// \param share  threads that a task may work on itself
+	TaskRun(const std::vector<Task>& tasks, int share, const Progress& progress)
+		: tasks_(tasks), share_(share), progress_(progress), order_(tasks.size()),
+		  fractions_(tasks.size(), 0), errors_(tasks.size()) {
 		std::iota(order_.begin(), order_.end(), 0);
 		std::stable_sort(order_.begin(), order_.end(),
 						 [&](int a, int b) { return tasks[a].work > tasks[b].work; });
@@ -67,6 +75,7 @@ private:
 	/// \param goOn  asked whenever a task says how far it is
 	template <class GoOn>
 	void work(const GoOn& goOn) {
+		const int before = std::exchange(shareOfThisThread(), share_);
 		for (std::size_t i = next_++; i < order_.size(); i = next_++) {
 			const int task = order_[i];
 			try {
@@ -80,6 +89,7 @@ private:
 			}
 			note(task, 1, "");
 		}
+		shareOfThisThread() = before;
 	}
 
 	void note(int task, double fraction, const std::string& message) {
@@ -129,6 +139,7 @@ private:
 	}
 
 	const std::vector<Task>& tasks_;
+	const int share_;
 	const Progress& progress_;
 	std::vector<int> order_;
 	std::atomic<std::size_t> next_ = 0;
@@ -161,10 +172,13 @@ int availableThreads() {
 	return most > 0 ? std::min(most, processors) : processors;
 }
 
+int threadsAtHand() {
+	return shareOfThisThread() > 0 ? shareOfThisThread() : availableThreads();
+}
+
 void runTasks(const std::vector<Task>& tasks, int threads, const Progress& progress) {
-	const int count =
-		std::min<int>(threads > 0 ? threads : availableThreads(), static_cast<int>(tasks.size()));
-	TaskRun run(tasks, progress);
+	const int count = std::min<int>(threads > 0 ? threads : threadsAtHand(), static_cast<int>(tasks.size()));
+	TaskRun run(tasks, std::max(1, threadsAtHand() / std::max(1, count)), progress);
 	if (count > 1)
 		run.onThreads(count);
 	else

@@ -18,8 +18,14 @@ struct Task {
 /// when the environment variable OMP_NUM_THREADS says so, as it does in each worker of a batch.
 int availableThreads();
 
+/// How many threads this thread may work on itself: within a task its share of those there are, elsewhere all
+/// that are available.
+int threadsAtHand();
+
 /// Runs all tasks, large ones first, and returns when they have ended. Progress is only called from the
-/// calling thread. \param threads  at most so many at once; 0: as many as can work at once
+/// calling thread.
+///
+/// \param threads  at most so many at once; 0: as many as are at hand
 /// \throws what the first task that failed has thrown, after all have ended
 void runTasks(const std::vector<Task>& tasks, int threads, const Progress& progress);
 
