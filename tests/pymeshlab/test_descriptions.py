@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Names, order, types and defaults of parameters: scripts rely on all of them."""
 
+import re
 import xml.etree.ElementTree as ElementTree
 
 import mlx_scripts
@@ -125,6 +126,31 @@ def test_parameters_are_those_of_the_interface(filter_name, tmp_path):
     assert used.get("name") == filter_name
     assert described(used) == PARAMETERS[filter_name]
     assert all(parameter.get("description") and parameter.get("tooltip") for parameter in used)
+
+
+FILTER_NAMES = [GLOBAL, LOCAL, MAPS, "generate_flat_patches", "meshing_cut_into_developable_panels"]
+MATHEMATICS = re.compile(
+    r"weld|tolerance|iteration|displacement|operation|relative|assembling|boundar|intersect|solver|patches|"
+    r"angle defect|newton|gradient|normals|penalty|minimi|least squares",
+    re.IGNORECASE,
+)
+
+
+def labels_of(name, folder):
+    """What the dialog shows beside each parameter."""
+    meshes = mesh_set(bump())
+    meshes.apply_filter(name)
+    meshes.save_filter_script(str(folder / "used.mlx"))
+    used = ElementTree.parse(folder / "used.mlx").getroot().find("filter")
+    return [parameter.get("description") for parameter in used]
+
+
+@pytest.mark.parametrize("name", FILTER_NAMES)
+def test_dialogs_speak_to_those_who_sew_and_build(name, tmp_path):
+    labels = labels_of(name, tmp_path)
+    assert len(set(labels)) == len(labels) > 4
+    assert [label for label in labels if MATHEMATICS.search(label)] == []
+    assert max(map(len, labels)) <= 30  # the dialog has to fit on a small screen
 
 
 def test_our_scripts_hold_the_defaults(filter_name):
