@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 from pathlib import Path
 
+import ezdxf
 import numpy as np
 import pattern_readers as readers
 import pytest
 import reference_measures as reference
 import shapely
+from ezdxf import bbox
 from meshlab_developable import FilterError, InvalidParameterError, PatternError, make_developable
 from meshlab_developable.patterns import PAPERS, make_patterns
 from meshlab_developable.patterns.pdf import tile_grid
@@ -165,6 +168,13 @@ def test_both_sides_of_a_seam_have_its_letter(side_file, pants):
         assert texts["15"].count(piece["name"]) == 1
         assert f"Piece Name: {piece['name']}" in texts["1"]
     assert "Units: METRIC" in texts["1"]
+
+
+def test_texts_that_programs_read_lie_below_those_for_people(pants):
+    for block in ezdxf.readfile(pants[1] / "pants.dxf").blocks:
+        boxes = [bbox.extents([text]) for text in block.query("TEXT")]
+        drawn = [shapely.box(*box.extmin.vec2, *box.extmax.vec2) for box in boxes]
+        assert not any(one.intersects(other) for one, other in itertools.combinations(drawn, 2))
 
 
 def test_the_grain_line_stands_upright(blocks):
