@@ -165,6 +165,7 @@ def _letter(marked: MarkedSeam, piece: Piece, along: Array, side: int, height: f
     steps = np.linalg.norm(np.diff(along, axis=0), axis=1)
     edge = int(np.searchsorted(np.cumsum(steps), steps.sum() / 2))
     middle = (along[edge] + along[edge + 1]) / 2
+    height = min(height, 0.3 * float(steps.sum()))  # beside a short dart, not on the letter of the next
     return Text(marked.letter, middle - 1.1 * height * _outward(piece, along, edge), height)
 
 
