@@ -149,3 +149,24 @@ def test_a_tolerance_below_nothing_is_refused(tmp_path):
     with pytest.raises(InvalidParameterError, match="seam_tolerance"):
         make_patterns(*jagged_panels(), folder=tmp_path / "out", seam_tolerance=-1)
     assert not (tmp_path / "out").exists()
+
+
+def test_a_ring_becomes_smooth_all_round(tmp_path):
+    turns = 2 * np.pi * np.arange(48) / 48
+    jagged = 100 + 6 * (np.arange(48) % 2)
+    rings = [np.stack([r * np.cos(turns), r * np.sin(turns), 0 * turns], axis=1) for r in (50, jagged, 180)]
+    positions = np.vstack([np.zeros((1, 3)), *rings])
+    after = np.roll(np.arange(48), -1)
+    faces = [(0, 1 + k, 1 + n) for k, n in enumerate(after)]
+    for start in (1, 49):
+        faces += [(start + k, start + 48 + k, start + 48 + n) for k, n in enumerate(after)]
+        faces += [(start + k, start + 48 + n, start + n) for k, n in enumerate(after)]
+    labels = np.repeat([0, 1], [48 * 3, 48 * 2])
+    made = make_patterns(
+        positions, faces, folder=tmp_path, formats=["dxf"], face_labels=labels, seam_tolerance=6
+    )
+    (seam,) = made.seams
+    assert seam.seam.closed
+    assert seam.lengths == pytest.approx((2 * np.pi * 103, 2 * np.pi * 103), rel=0.01)
+    disc = min(sew_lines(tmp_path), key=lambda ring: np.ptp(ring[:, 0]))
+    assert np.degrees(abs(turning(disc)).max()) < 8

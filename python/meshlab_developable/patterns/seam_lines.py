@@ -72,13 +72,14 @@ def _simple(flat: FlatteningResult, points: Array, piece: int) -> bool:
 def _moved(seam: Seam, points: Array, tolerance: float) -> tuple[Array, Array]:
     """Both sides of a seam after the same moves, seen from each."""
     one, other = (points[side] @ np.array([1, 1j]) for side in seam.sides)
-    turn = _frames(one, other)
     corners = np.flatnonzero(abs(_turns(one) - _turns(other)) > SHARP) + 1
+    closed = seam.closed and not len(corners)
+    turn = _frames(one, other, closed)
     moves = np.zeros(len(one), dtype=np.complex128)
     stops = [0, *corners.tolist(), len(one) - 1]
     for start, end in itertools.pairwise(stops):
         part = slice(start, end + 1)
-        moves[part] = _moves(one[part], other[part], turn[part], tolerance)
+        moves[part] = _moves(one[part], other[part], turn[part], tolerance, closed)
     lines = one + moves, other + turn * moves
     return np.stack([lines[0].real, lines[0].imag], axis=1), np.stack([lines[1].real, lines[1].imag], axis=1)
 
@@ -90,61 +91,64 @@ def _turns(line: Complex) -> Array:
     return turns
 
 
-def _frames(one: Complex, other: Complex) -> Complex:
+def _frames(one: Complex, other: Complex, closed: bool) -> Complex:
     """What turns directions at the points of the one side to the same ones, on the model, at the other."""
-    turn = np.gradient(other) * np.gradient(one).conj()
-    frames: Complex = np.exp(1j * np.angle(turn))
+    along = [np.gradient(line) for line in (one, other)]
+    if closed:
+        for line, directions in zip((one, other), along, strict=True):
+            directions[[0, -1]] = line[1] - line[-2]
+    frames: Complex = np.exp(1j * np.angle(along[1] * along[0].conj()))
     return frames
 
 
-def _moves(one: Complex, other: Complex, turn: Complex, tolerance: float) -> Complex:
+def _moves(one: Complex, other: Complex, turn: Complex, tolerance: float, closed: bool) -> Complex:
     """Moves (k) of the points of the one side that make both sides smooth, and let them differ in length as
-    before; none at the ends, and none at all where there are no such moves."""
+    before; none at the ends, and none at all where there are no such moves.
+
+    closed: the last point is the first again, and moves with it.
+    """
     none = np.zeros(len(one), dtype=np.complex128)
-    if len(one) < 4 or tolerance < _LEAST_MOVE:
+    if len(one) < 4 + closed or tolerance < _LEAST_MOVE:
         return none
-    system, force = _smoothing(one, other, turn, tolerance)
+    system, force = _smoothing(one, other, turn, tolerance, closed)
     excess = _excess(one, other)
-    weights, moves = np.ones(len(one) - 2), none
+    weights = np.ones(len(force))
     for _ in range(_ROUNDS):
         solve = scipy.sparse.linalg.factorized((system + scipy.sparse.diags_array(weights)).tocsc())
-        moves = np.pad(solve(force), 1)
+        free = solve(force)
         for _ in range(_STEPS):
-            gradient = _gradient_of_excess(one + moves, other + turn * moves, turn)
+            moves = np.append(free, free[:1]) if closed else np.pad(free, 1)
+            gradient = _gradient_of_excess(one + moves, other + turn * moves, turn, closed)
             answer = solve(gradient)
             rate = float(np.vdot(gradient, answer).real)
             change = excess - _excess(one + moves, other + turn * moves)
             if abs(change) < _EQUAL or rate == 0:
                 break
-            moves[1:-1] += change / rate * answer
-        beyond = abs(moves[1:-1]) / tolerance
+            free = free + change / rate * answer
+        beyond = abs(free) / tolerance
         if beyond.max() <= 1:
             break
         weights *= np.maximum(1.0, 1.2 * beyond**1.5)
     lines = (one, one + moves), (other, other + turn * moves)
     if beyond.max() <= 1 and abs(change) < _EQUAL and all(_is_fairer(line, old) for old, line in lines):
         return moves
-    return _moves(one, other, turn, tolerance / 2)
+    return _moves(one, other, turn, tolerance / 2, closed)
 
 
 def _smoothing(
-    one: Complex, other: Complex, turn: Complex, tolerance: float
+    one: Complex, other: Complex, turn: Complex, tolerance: float, closed: bool
 ) -> tuple[scipy.sparse.csr_array, Complex]:
-    """The system that the inner moves solve, but for their own weights, and its right side."""
+    """The system that moves of free points solve, but for their own weights, and its right side."""
     steps = (abs(np.diff(one)) + abs(np.diff(other))) / 2
     steps = np.maximum(steps, _LEAST_STEP * steps.mean())
-    differences = third_differences(np.append(0.0, np.cumsum(steps)), closed=False)
+    differences = third_differences(np.append(0.0, np.cumsum(steps)), closed)
     roughness = 10.0 ** most_smoothing(float(steps.mean()), tolerance) * (differences.T @ differences)
+    if closed:
+        one, other, turn = one[:-1], other[:-1], turn[:-1]
     frames = scipy.sparse.diags_array(turn)
-    system = scipy.sparse.csr_array(roughness + frames.conj() @ roughness @ frames)[1:-1, 1:-1]
-    force: Complex = -(roughness @ one + turn.conj() * (roughness @ other))[1:-1]
-    return system, force
-
-
-def _is_fairer(line: Complex, old: Complex) -> bool:
-    """Whether no part of a line has turned round, and it turns less in all than the old one."""
-    ahead = (np.diff(line) * np.diff(old).conj()).real
-    return bool((ahead >= 0).all() and abs(_turns(line)).sum() <= abs(_turns(old)).sum() + _SLIGHT)
+    system = scipy.sparse.csr_array(roughness + frames.conj() @ roughness @ frames)
+    force: Complex = -(roughness @ one + turn.conj() * (roughness @ other))
+    return (system, force) if closed else (system[1:-1, 1:-1], force[1:-1])
 
 
 def _excess(one: Complex, other: Complex) -> float:
@@ -152,11 +156,18 @@ def _excess(one: Complex, other: Complex) -> float:
     return float(abs(np.diff(one)).sum() - abs(np.diff(other)).sum())
 
 
-def _gradient_of_excess(one: Complex, other: Complex, turn: Complex) -> Complex:
-    """By how much it grows with moves of the inner points."""
+def _gradient_of_excess(one: Complex, other: Complex, turn: Complex, closed: bool) -> Complex:
+    """By how much it grows with moves of the points that are free."""
     rates = []
     for line in (one, other):
         steps = np.diff(line)
-        rates.append(-np.diff(steps / np.maximum(abs(steps), 1e-300)))
-    gradient: Complex = rates[0] - turn[1:-1].conj() * rates[1]
+        units = steps / np.maximum(abs(steps), 1e-300)
+        rates.append(np.roll(units, 1) - units if closed else -np.diff(units))
+    gradient: Complex = rates[0] - (turn[:-1] if closed else turn[1:-1]).conj() * rates[1]
     return gradient
+
+
+def _is_fairer(line: Complex, old: Complex) -> bool:
+    """Whether no part of a line has turned round, and it turns less in all than the old one."""
+    ahead = (np.diff(line) * np.diff(old).conj()).real
+    return bool((ahead >= 0).all() and abs(_turns(line)).sum() <= abs(_turns(old)).sum() + _SLIGHT)
