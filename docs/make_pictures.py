@@ -303,13 +303,22 @@ def draw_self_intersections(folder: Path) -> None:
     write("local_avoid_self_intersections", pictures, None, View((0.5, -1.2, 1.6)), folder)
 
 
+DIALOGS = (
+    "Global Developability",
+    "Local Developability",
+    "Developability Maps",
+    "Flatten Patches",
+    "Cut into Developable Panels",
+)
+
+
 def draw_dialogs(folder: Path) -> None:
     """MeshLab's dialog of each filter that has one."""
     sys.path.insert(0, str(ROOT / "tests" / "support"))
     from desktop import Desktop, MeshLab, keep, stage
 
     program = stage(ROOT)
-    for name in ("Global Developability", "Local Developability", "Developability Maps", "Flatten Patches"):
+    for name in DIALOGS:
         home = folder / name
         home.mkdir()
         with Desktop(home) as desktop:

@@ -72,7 +72,7 @@ void showMap(FilterCall& call, const PatchAssembly& assembly, Map map, const Eig
 	};
 	writeQuality(call.layer.mesh(), assembly, values.unaryExpr(inUnits));
 	call.log(std::string("vertex quality: ") + properties.title + " [" + properties.unit + "], " +
-			 formatted(inUnits(values.minCoeff())) + " to " + formatted(inUnits(values.maxCoeff())));
+			 formatted(inUnits(values.minCoeff()), 4) + " to " + formatted(inUnits(values.maxCoeff()), 4));
 	if (!call.values.boolean("colorize"))
 		return;
 	const ColourRange range =

@@ -60,7 +60,8 @@ Parameter automaticLength(std::string name, std::string label, std::string toolt
 
 Parameter patchesParameter() {
 	return enumeration(
-		"patches", {"Connected components", "Face colour", "Texture islands", "Face quality"}, 0, "Patches",
+		"patches", {"Connected components", "Face colour", "Texture islands", "Face quality"}, 0,
+		"What separates panels",
 		"What separates the patches: nothing but gaps, or also edges between faces of different colour, "
 		"texture island or quality. Patches are the panels that are each made developable while they stay "
 		"sewn together (Wang and Tang 2004, Section 3.1).");
@@ -68,29 +69,29 @@ Parameter patchesParameter() {
 
 Parameter weldDistanceParameter() {
 	return lengthParameter(
-		"weld_distance", 0, "Weld distance",
+		"weld_distance", 0, "Sewn together within",
 		"Vertices at most this far apart are linked and move as one; 0 links only those with equal "
 		"coordinates. So seams stay closed (Section 4.2).");
 }
 
 Parameter onlySelectedParameter() {
-	return boolParameter("only_selected", false, "Only selected patches",
+	return boolParameter("only_selected", false, "Only panels with a selection",
 						 "Work on the patches that have a selected face; the others hold still.");
 }
 
 Parameter fixBoundaryParameter() {
-	return boolParameter("fix_boundary", false, "Fix boundaries",
+	return boolParameter("fix_boundary", false, "Hold borders still",
 						 "Vertices on the boundary of a patch stay where they are.");
 }
 
 Parameter fixSelectedParameter() {
-	return boolParameter("fix_selected", false, "Fix selected vertices",
+	return boolParameter("fix_selected", false, "Hold selected vertices still",
 						 "Selected vertices stay where they are.");
 }
 
 Parameter angleToleranceParameter() {
 	return floatParameter(
-		"angle_tolerance", 1e-4, {0}, "rad", "Angle tolerance",
+		"angle_tolerance", 1e-4, {0}, "rad", "Angle left at a vertex",
 		"A vertex whose angle defect is no larger than this counts as a developable point. The angle defect "
 		"is the g of Eq. 5, and D of Eq. 2 is the share of such points; the paper's own setting is 0.01 rad. "
 		"On fine meshes every vertex passes, so look at the total absolute curvature C too.");
@@ -102,7 +103,7 @@ Parameter mapParameter(Map defaultMap, std::vector<std::string> more) {
 									 "Displacement"};
 	maps.insert(maps.end(), more.begin(), more.end());
 	return enumeration(
-		"map", std::move(maps), static_cast<int>(defaultMap), "Map",
+		"map", std::move(maps), static_cast<int>(defaultMap), "What is shown",
 		"What is written to the vertex quality. It can be the squared angle defect (the paper's Gaussian map, "
 		"Fig. 5), the angle defect g (Eq. 5), the Gaussian curvature (Eq. 1), the principal "
 		"curvature of smaller or of larger absolute value (Fig. 10), the distance to the original "

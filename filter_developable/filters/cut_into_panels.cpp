@@ -94,26 +94,29 @@ std::vector<Parameter> parameters() {
 		onlySelectedParameter(),
 		boolParameter("keep_selected_whole", false, "Keep selected faces whole",
 					  "No seam and no dart crosses a selected face."),
-		automaticLength("max_displacement", "Largest displacement",
+		automaticLength("max_displacement", "Panels may move by",
 						"How far a vertex may move when the panels are made developable; -1 means 2 % of the "
 						"diagonal of each part. A part is what shares vertices or is sewn together."),
 	};
 	const std::vector<Parameter> materials = materialParameters();
 	result.insert(result.end(), materials.begin(), materials.end());
 	const std::vector<Parameter> others = {
-		intParameter("max_panels", 0, 0, "Largest number of panels",
-					 "So many panels at most, even if some then can't be made developable within the largest "
-					 "displacement; 0 means as many as it takes."),
+		intParameter(
+			"max_panels", 0, 0, "Panels at most",
+			"So many panels at most, even if some then can't be made developable within the largest "
+			"displacement; 0 means as many as it takes. Clusters of faces with like normals are joined across "
+			"their longest seams, wherever the constrained Newton method still makes the union "
+			"developable and it lies flat without overlap."),
 		boolParameter("darts", true, "Darts",
 					  "Where a cut from the border is enough a panel stays whole and gets a dart."),
-		floatParameter("crease_angle", 40, {0, false, 180}, "°", "Crease angle",
+		floatParameter("crease_angle", 40, {0, false, 180}, "°", "Sharp edges turn by",
 					   "Seams like to lie on edges whose faces make a sharper turn than this."),
 		boolParameter(
-			"symmetric", false, "Symmetric",
+			"symmetric", false, "Left mirrors right",
 			"Left and right panels of a surface that is its own mirror image mirror each other; this does not work "
 			"yet."),
 		boolParameter(
-			"cut", true, "Cut",
+			"cut", true, "Cut open",
 			"Double the vertices along seams and darts, and split faces where seams cross them; else "
 			"faces are only labelled. Doubled vertices coincide, so that they stay sewn."),
 		boolParameter("colorize", true, "Colour the faces", "Colour the faces by panel."),
@@ -132,14 +135,13 @@ FilterDescription panelCutting() {
 	filter.filterClass = FilterClass::Remeshing;
 	filter.change = Change::Panels;
 	filter.help =
-		"Cuts a surface, open or closed, into few <b>panels</b> that can each be made developable without any "
-		"vertex moving farther than the largest displacement, along short and smooth seams and <b>darts</b>. "
-		"Nothing moves: the faces get the number of their panel as quality and a colour for each, and vertices "
-		"along seams and darts are doubled, which coincide and so stay sewn. Run <b>Global Developability</b> "
-		"next, with its defaults, and then <b>Flatten Patches</b>.<br><br>"
-		"Clusters of faces with like normals are joined across their longest seams, wherever the constrained "
-		"Newton method still makes the union developable and it lies flat without overlap. Seams are then drawn "
-		"as smooth curves, across faces where need be. Panels that are there are only cut further.<br><br>"
+		"Cuts a surface, open or closed, into few <b>panels</b> that can each be made <b>developable</b>, so that "
+		"they can be cut from a flat sheet, without any point moving farther than you allow, along short and "
+		"smooth seams and <b>darts</b>. Nothing moves: the faces get the number of their panel as quality and a "
+		"colour for each, and vertices along seams and darts are doubled, which coincide and so stay sewn. Run "
+		"<b>Global Developability</b> next, with its defaults, and then <b>Flatten Patches</b>.<br><br>"
+		"Panels that are there are only cut further. There is no undo: save the layer before, or copy it. Help "
+		"explains each setting.<br><br>"
 		"See: <i>D. Cohen-Steiner, P. Alliez, M. Desbrun</i>, <b>Variational Shape Approximation</b>, ACM "
 		"Transactions on Graphics 23, 2004, for the clusters.";
 	filter.parameters = parameters();

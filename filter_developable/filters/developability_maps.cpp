@@ -113,7 +113,7 @@ Parameter referenceParameter() {
 	Parameter parameter;
 	parameter.name = "reference";
 	parameter.type = ParameterType::Mesh;
-	parameter.label = "Reference";
+	parameter.label = "Compared with";
 	parameter.tooltip =
 		"The layer that the maps Distance and Displacement are measured from. The current layer means the "
 		"shape that its last optimisation started from; see Fig. 8.";

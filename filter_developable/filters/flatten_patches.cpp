@@ -177,11 +177,11 @@ FilterDescription patchFlattening() {
 		filter.parameters.push_back(parameter);
 	const Parameter own[] = {
 		automaticLength(
-			"gap", "Gap",
+			"gap", "Room between pieces",
 			"How far apart the pieces lie; -1 means 2 % of the diagonal of the largest piece's box. Any "
 			"negative number means that."),
 		enumeration(
-			"map", {"Edge strain", "Elastic energy", "Stretch", "Compression"}, 0, "Map",
+			"map", {"Edge strain", "Elastic energy", "Stretch", "Compression"}, 0, "What is shown",
 			"What is written to the vertex quality of the model and of the patterns. It is the greatest strain "
 			"of the edges at a vertex, half of the energy of these edges (Fig. 1), or the greatest stretch or "
 			"compression of the triangles at a vertex."),

@@ -113,7 +113,7 @@ Parameter positiveAngleTolerance() {
 std::vector<Parameter> parameters() {
 	std::vector<Parameter> all = {
 		enumeration(
-			"solver", solverNames(), 0, "Solver",
+			"solver", solverNames(), 0, "Method",
 			"How the shape is found: by Newton steps all the way to developable, or as in the paper. The steps "
 			"bring all angle defects to zero at the least deformation; the paper's conjugate gradients with a "
 			"penalty (Section 4.1) stop short of that."),
@@ -125,14 +125,14 @@ std::vector<Parameter> parameters() {
 		positiveAngleTolerance(),
 		onlyFor(Solver::ConstrainedNewton,
 				floatParameter(
-					"curvature_tolerance", 1e-4, {0, true}, "rad", "Curvature tolerance",
+					"curvature_tolerance", 1e-4, {0, true}, "rad", "Angles left in a panel",
 					"a patch is developable when its absolute angle defects add up to no more than this.")),
 		intParameter(
-			"max_iterations", 200, 0, "Largest number of iterations",
+			"max_iterations", 200, 0, "Steps at most",
 			"The run ends after so many steps at the latest. It is the paper's N_max (Section 4.1)."),
 		onlyFor(
 			Solver::ConjugateGradient,
-			floatParameter("relative_change", 1e-4, {0}, "", "Least relative change",
+			floatParameter("relative_change", 1e-4, {0}, "", "Least progress of a step",
 						   "the run ends when a step changes G by less than this share of its first value. G "
 						   "is the detect function, and this the paper's eta of 0.01 % (Section 4.1).")),
 		onlyFor(Solver::ConstrainedNewton,
@@ -141,13 +141,14 @@ std::vector<Parameter> parameters() {
 					"how much weight bending has against distance; larger values give fewer wrinkles. "
 					"They also move the surface more. At the default it is what suits the material.")),
 		onlyFor(Solver::ConstrainedNewton,
-				floatParameter("fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "", "Fairness",
+				floatParameter("fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "",
+							   "Detail smoothed away",
 							   "how much detail is smoothed away: bumps that are shorter than this share of "
 							   "the panel's size. At 0 the surface keeps its detail.")),
 		onlyFor(
 			Solver::ConstrainedNewton,
 			automaticLength(
-				"max_displacement", "Largest displacement",
+				"max_displacement", "Move no farther than",
 				"no vertex ends farther than this from where it was; -1 means 15 % of its part's diagonal. "
 				"A part is what shares vertices or is sewn together; any negative number means that.")),
 	};

@@ -58,9 +58,9 @@ FilterDescription localDevelopability() {
 		"flat sheet, by moving one vertex at a time, the worst one first. Edges and seams of panels stay. It is "
 		"fast, but rougher than Global Developability: begin with that.<br><br>"
 		"For a first try leave everything as it is. If curvature is left, switch on <b>Only downhill</b> or "
-		"allow a larger displacement; if the surface wrinkles, try a <b>smoothing</b> of 0.01 to 0.1; if it is "
-		"left along seams, let the seams <b>move together</b>; if layers of cloth lie close, <b>avoid "
-		"self-intersections</b>.<br><br>"
+		"let vertices <b>move</b> farther; if the surface wrinkles, set <b>Against wrinkles</b> to 0.01 to 0.1; if "
+		"it is left along seams, let the <b>vertices on seams</b> move together; if layers of cloth lie close, "
+		"<b>keep</b> them <b>from crossing</b>.<br><br>"
 		"The log begins with what came of it. Closed surfaces must be cut first. There is no undo: <b>Restore "
 		"Original Shape</b> takes it back. Help explains each setting, in the paper's terms.<br><br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
@@ -73,10 +73,10 @@ FilterDescription localDevelopability() {
 		fixSelectedParameter(),
 		angleToleranceParameter(),
 		automaticLength(
-			"max_displacement", "Largest displacement",
+			"max_displacement", "Move no farther than",
 			"How far a vertex may move along its original normal; -1 means the mean edge length. Any "
 			"negative number means that; it is the paper's difference tolerance (Section 5.2.1)."),
-		intParameter("max_operations", 500000, 0, "Largest number of operations",
+		intParameter("max_operations", 500000, 0, "Steps at most",
 					 "The run ends after so many visits to a vertex at the latest. It is the paper's N_max "
 					 "(Section 5.2.2)."),
 		boolParameter(
@@ -85,16 +85,16 @@ FilterDescription localDevelopability() {
 			"if none does. Often gets farther with fewer wrinkles; the paper takes every move "
 			"as it is (Section 5.1)."),
 		floatParameter(
-			"smoothing", 0, {0}, "rad²", "Smoothing",
+			"smoothing", 0, {0}, "rad²", "Against wrinkles",
 			"How strongly the moves of neighbours are kept alike, against wrinkles; try 0.01 to 0.1. It is the "
 			"weight of their mean square difference in mean edge lengths, best with 'Only downhill'; 0 is the "
 			"paper's method (Section 7)."),
 		enumeration(
-			"assembling_vertices", {"Fixed", "Move together"}, 0, "Assembling vertices",
+			"assembling_vertices", {"Fixed", "Move together"}, 0, "Vertices on seams",
 			"Whether vertices on seams stay fixed, or move together with all panels that meet there. The "
 			"paper has them stay (Section 5.2.3); moving is best with 'Only downhill'."),
 		boolParameter(
-			"avoid_self_intersections", false, "Avoid self-intersections",
+			"avoid_self_intersections", false, "Keep layers from crossing",
 			"Shorten or refuse moves that would make the surface cut itself. Takes two to four times as long; "
 			"the paper leaves it open (Section 7)."),
 		mapParameter(Map::Displacement),

@@ -6,6 +6,7 @@ and `flatten` take and return NumPy arrays; `meshlab_developable.patterns` write
 cut and sew.
 """
 
+import meshlab_developable.host  # noqa: F401  (first, as all others import pymeshlab)
 from meshlab_developable.cutting import CutPanels, CutReport
 from meshlab_developable.errors import (
     DevelopableError,

@@ -133,6 +133,15 @@ def developed_panels(source: Source, **parameters: Any) -> tuple[Array, IndexArr
     return developed.vertices, developed.faces, cut.report
 
 
+def seam_tolerance(vertices: Array, faces: IndexArray) -> float:
+    """How far the seams of a cut may be moved to be smooth: half as far as edges are long, on average.
+
+    vertices: n x 3, or n x 2 where they are flat already. faces: m x 3.
+    """
+    corners = vertices[faces]
+    return float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean()) / 2
+
+
 def cut_file(source: Path, target: Path, verbose: bool = False, **parameters: Any) -> CutReport:
     """Cut a file's mesh into panels and write it.
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Names, order, types and defaults of parameters: scripts rely on all of them."""
 
+import re
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import mlx_scripts
 import pymeshlab
@@ -9,6 +11,7 @@ import pytest
 from mesh_sets import GLOBAL, LOCAL, MAPS, mesh_set
 from shapes import bump
 
+DOCS = Path(__file__).resolve().parents[2] / "docs"
 SEVEN_MAPS = (
     "Gaussian map",
     "Angle defect",
@@ -125,6 +128,45 @@ def test_parameters_are_those_of_the_interface(filter_name, tmp_path):
     assert used.get("name") == filter_name
     assert described(used) == PARAMETERS[filter_name]
     assert all(parameter.get("description") and parameter.get("tooltip") for parameter in used)
+
+
+PAGES = {
+    GLOBAL: "global_developability",
+    LOCAL: "local_developability",
+    MAPS: "developability_maps",
+    "generate_flat_patches": "flatten_patches",
+    "meshing_cut_into_developable_panels": "cut_into_panels",
+}
+MATHEMATICS = re.compile(
+    r"weld|tolerance|iteration|displacement|operation|relative|assembling|boundar|intersect|solver|patches|"
+    r"angle defect|newton|gradient|normals|penalty|minimi|least squares",
+    re.IGNORECASE,
+)
+
+
+def labels_of(name, folder):
+    """What the dialog shows beside each parameter, but for its unit."""
+    meshes = mesh_set(bump())
+    meshes.apply_filter(name)
+    meshes.save_filter_script(str(folder / "used.mlx"))
+    used = ElementTree.parse(folder / "used.mlx").getroot().find("filter")
+    return {parameter.get("name"): parameter.get("description").split(" (")[0] for parameter in used}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_dialogs_speak_to_those_who_sew_and_build(name, tmp_path):
+    labels = labels_of(name, tmp_path).values()
+    assert len(set(labels)) == len(labels) > 4
+    assert [label for label in labels if MATHEMATICS.search(label)] == []
+    assert max(map(len, labels)) <= 30  # the dialog has to fit on a small screen
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_pages_say_which_parameter_a_label_is(name, tmp_path):
+    page = " ".join((DOCS / f"{PAGES[name]}.md").read_text("utf-8").split())
+    for parameter, label in labels_of(name, tmp_path).items():
+        if label.lower().replace(" ", "_") != parameter:
+            assert f"*{label}* is `{parameter}`" in page
 
 
 def test_our_scripts_hold_the_defaults(filter_name):

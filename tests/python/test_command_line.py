@@ -52,6 +52,11 @@ def test_every_command_has_help_with_examples(name):
     assert f"developable {name} " in result.output.split("Examples:")[1]
 
 
+@pytest.mark.parametrize("name", ["global", "local", "cut", "flatten", "pattern", "report", "batch"])
+def test_what_is_written_goes_where_output_says(name):
+    assert "-o, --output" in developable(name, "--help").output
+
+
 @pytest.mark.parametrize(
     "note",
     [

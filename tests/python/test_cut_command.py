@@ -5,9 +5,12 @@ from __future__ import annotations
 
 import json
 
+import pattern_readers as readers
 import pymeshlab
 import pytest
+import shapely
 from meshlab_developable.command_line import main
+from meshlab_developable.patterns.corners import SHARP, turning
 
 
 @pytest.fixture
@@ -42,3 +45,13 @@ def test_cut_and_patterns_share_the_material(scan, capsys):
     said = patterns_of(scan, capsys, *bounds)
     assert said["pieces"] < rigid["pieces"]
     assert 0.01 < said["max_edge_strain"] < 0.0528
+
+
+def test_the_seams_of_a_cut_are_smooth(scan, capsys):
+    turns = []
+    for options in ([], ["--seam-tolerance", "0"]):
+        patterns_of(scan, capsys, "--unit", "m", "--format", "dxf", *options)
+        blocks = readers.read_dxf_blocks(scan.with_name("out") / "scan.dxf")
+        rings = [shapely.get_coordinates(layers["14"][0])[:-1] for layers in blocks.values()]
+        turns.append(sum(int((abs(turning(ring)) > SHARP).sum()) for ring in rings))
+    assert turns[0] < turns[1] / 2

@@ -246,6 +246,23 @@ def test_curves_follow_their_points():
     assert shapely.distance(shapely.points(ring), drawn).max() < 0.025
 
 
+@pytest.mark.parametrize(
+    ("across", "up"),
+    [
+        ([0, 44.4, 85, 100], [0, 0, -0.01, 0]),
+        ([0, 27.8, 75.4, 88.2, 100], [0, 0.1, 0.54, 0.3, 0]),
+        ([0, 19.4, 57.8, 73.3, 92.4, 100], [0, -0.13, -0.52, -0.49, 0.55, 0]),
+    ],
+)
+def test_curves_through_few_points_never_turn_back(across, up):
+    ring = np.vstack([np.stack([across, up], axis=1), [(100, 60), (0, 60)]])
+    for curve in bezier_curves(ring):
+        straight = curve[3] - curve[0]
+        for share in np.linspace(0, 1, 40):
+            basis = np.array([(1 - share) ** 2, 2 * share * (1 - share), share**2])
+            assert basis @ np.diff(curve, axis=0) @ straight > 0
+
+
 def test_curves_pass_a_point_given_twice():
     ring = np.array([(0, 0), (50, 0), (50, 0), (50, 40), (1e-9, 40), (0, 40), (0, 1e-9)], dtype=float)
     ends = np.array([curve[[0, 3]] for curve in bezier_curves(ring)])

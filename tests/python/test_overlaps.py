@@ -81,6 +81,26 @@ def test_sides_that_are_not_sewn_together_never_end_on_each_other(tmp_path):
     assert all(polygon.is_valid for polygon in cut_polygons(tmp_path))
 
 
+@pytest.mark.parametrize("outline", ["fair", "exact"])
+def test_a_slit_whose_sides_touch_stays_a_slit(tmp_path, outline):
+    positions, faces = grid(21, 21, lambda u, v: (200 * u, 200 * v, 0 * u))
+    slit = [10 + 21 * row for row in range(6)]  # from the border up to 60 mm
+    middles = positions[faces].mean(axis=1)
+    copies = np.arange(len(positions))
+    copies[slit] = len(positions) + np.arange(6)
+    faces = np.where(middles[:, :1] > 100, copies[faces], faces)
+    positions = np.vstack([positions, positions[slit]])
+    made = make_patterns(
+        positions, faces, folder=tmp_path, formats=["dxf"], outline=outline, seam_allowance=0
+    )
+    assert made.notes == ()
+    (polygon,) = cut_polygons(tmp_path)
+    assert polygon.area == pytest.approx(200 * 200, rel=1e-4)
+    assert polygon.length == pytest.approx(800 + 2 * 60, abs=0.1)
+    (seam,) = made.seams
+    assert seam.lengths == pytest.approx((60, 60), abs=0.05)
+
+
 def test_a_wide_overlap_splits_the_piece_with_a_seam(tmp_path):
     made = make_patterns(*ramp(), folder=tmp_path, unit=100, formats=["dxf"])
     (note,) = made.notes

@@ -84,6 +84,21 @@ def test_a_build_that_does_not_fit_is_refused_in_words(tmp_path, monkeypatch):
         plugin.load()
 
 
+def test_missing_libraries_of_the_system_are_named(tmp_path):
+    reason = "libcom_err.so.2: cannot open shared object file: No such file or directory"
+    (tmp_path / "pymeshlab.py").write_text(f"raise ImportError({reason!r})\n")
+    command = [
+        sys.executable,
+        "-c",
+        f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import meshlab_developable",
+    ]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    last = ran.stderr.splitlines()[-1]
+    assert ran.returncode == 1
+    assert reason in last
+    assert "libcom-err2" in last
+
+
 def test_measures_agree_with_slow_ones(shell):
     result = meshlab_developable.measure(*shell, angle_tolerance=0.01, map="Angle defect")
     defects = reference.angle_defects(*shell)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import shapely
 from meshlab_developable.errors import PatternError
+from meshlab_developable.patterns.drawing import Motion
 from meshlab_developable.patterns.packing import pack
 
 SIZE, GAP = (1000.0, 700.0), 6.0
@@ -36,6 +37,22 @@ def test_every_shape_is_on_one_sheet_apart_from_the_others():
     assert upright.angle == 0
     area = sum(shape.area for shape in shapes.values())
     assert len(sheets) <= np.ceil(area / (0.5 * SIZE[0] * SIZE[1]))
+
+
+@pytest.mark.parametrize("size", [None, (900.0, 700.0)])
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_more_of_what_is_on_a_sheet_stands_upright_than_not(size, count):
+    shapes = {f"panel {i}": shapely.box(0, 0, 320 - 20 * i, 420 - 10 * i) for i in range(count)}
+    shapes["square"] = shapely.box(0, 0, 100, 100)
+    for sheet in pack(shapes, size, GAP, "half", upright=["square"]):
+        pieces = {name: motion for name, motion in sheet.motions.items() if name != "square"}
+        upright = sum(shapes[name].area for name, motion in pieces.items() if motion.angle == 0)
+        assert upright >= sum(shapes[name].area for name in pieces) / 2
+        there = list(placed(shapes, sheet).values())
+        for index, shape in enumerate(there):
+            assert shapely.box(0, 0, *sheet.size).buffer(0.01).contains(shape)
+            assert all(shape.distance(other) >= GAP for other in there[:index])
+        assert sheet.motions.get("square", Motion()).angle == 0
 
 
 def test_one_sheet_as_large_as_needed():

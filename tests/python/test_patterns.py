@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 from pathlib import Path
 
+import ezdxf
 import numpy as np
 import pattern_readers as readers
 import pytest
 import reference_measures as reference
 import shapely
+from ezdxf import bbox
 from meshlab_developable import FilterError, InvalidParameterError, PatternError, make_developable
 from meshlab_developable.patterns import PAPERS, make_patterns
 from meshlab_developable.patterns.pdf import tile_grid
@@ -165,6 +168,29 @@ def test_both_sides_of_a_seam_have_its_letter(side_file, pants):
         assert texts["15"].count(piece["name"]) == 1
         assert f"Piece Name: {piece['name']}" in texts["1"]
     assert "Units: METRIC" in texts["1"]
+
+
+def require_texts_apart(file):
+    for block in ezdxf.readfile(file).blocks:
+        boxes = [bbox.extents([text]) for text in block.query("TEXT")]
+        drawn = [shapely.box(*box.extmin.vec2, *box.extmax.vec2) for box in boxes]
+        assert not any(one.intersects(other) for one, other in itertools.combinations(drawn, 2))
+
+
+def test_texts_that_programs_read_lie_below_those_for_people(pants):
+    require_texts_apart(pants[1] / "pants.dxf")
+
+
+def test_letters_of_short_darts_lie_apart(tmp_path):
+    positions, faces = grid(31, 31, lambda u, v: (240 * u, 240 * v, 0 * u))
+    middles = positions[faces].mean(axis=1)
+    for column in (14, 15, 16):  # a slit of one edge, 8 mm, from the border
+        right = (faces == column) & (middles[:, :1] > positions[column, 0])
+        faces = np.where(right, len(positions), faces)
+        positions = np.vstack([positions, positions[column]])
+    made = make_patterns(positions, faces, folder=tmp_path, formats=["dxf"])
+    assert len(made.seams) == 3
+    require_texts_apart(tmp_path / "pattern.dxf")
 
 
 def test_the_grain_line_stands_upright(blocks):

@@ -28,7 +28,13 @@ def _unit(text: str) -> str | float:
 @click.command(name="batch")
 @click.argument("source", metavar="FOLDER|LIST", type=click.Path(exists=True, path_type=Path))
 @click.option(
-    "--out", required=True, type=click.Path(file_okay=False, path_type=Path), help="The folder to write to."
+    "-o",
+    "--output",
+    "--out",
+    "out",
+    required=True,
+    type=click.Path(file_okay=False, path_type=Path),
+    help="The folder to write to.",
 )
 @click.option(
     "--parameters",

@@ -15,12 +15,23 @@ from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import CUT, FLATTEN
 from meshlab_developable.materials import grain_along
 from meshlab_developable.mesh_sets import Array, IndexArray
-from meshlab_developable.patterns.options import COPIES, FORMATS, OUTLINES, PAPERS, TURNS, UNITS, Size
+from meshlab_developable.patterns.options import (
+    COPIES,
+    FORMATS,
+    OUTLINES,
+    PAPERS,
+    TURNS,
+    UNITS,
+    PatternOptions,
+    Size,
+)
 
-# Parameters that the cut shares with laying flat, and those that have no say in it.
-NOT_OF_CUT = [parameter.name for parameter in FLATTEN.parameters] + ["cut", "grain"]
-OF_CUT = [parameter.name for parameter in CUT.parameters if parameter.name not in NOT_OF_CUT]
-SHARED_WITH_CUT = ("patches", "weld_distance", "only_selected")
+# Parameters of the filters that a pattern has no use for, or options of its own.
+NO_OPTIONS = ("cut", "colorize", "gap", "grain", "map", "write_texture_coordinates")
+OF_FLATTENING = tuple(parameter.name for parameter in FLATTEN.parameters)
+OF_CUT = tuple(
+    parameter.name for parameter in CUT.parameters if parameter.name not in (*OF_FLATTENING, *NO_OPTIONS)
+)
 
 
 def _numbers(text: str, separator: str, count: int) -> tuple[float, ...] | None:
@@ -85,18 +96,20 @@ def _question_of_unit(mesh: Path) -> str:
     )
 
 
-def _developed_panels(mesh: Path, cut: bool, parameters: dict[str, Any]) -> tuple[Array, IndexArray]:
-    """Vertices and faces of the mesh's panels, made developable; takes the cut's own from the parameters."""
-    from meshlab_developable.cutting import OF_MATERIAL, developed_panels
+def _developed_panels(mesh: Path, parameters: dict[str, Any]) -> tuple[Array, IndexArray]:
+    """Vertices and faces of the mesh's panels, made developable; takes what only the cut needs from the
+    parameters, and lets seams, which are new, be smooth."""
+    from meshlab_developable.cutting import OF_MATERIAL, developed_panels, seam_tolerance
 
-    of_cut = {name: parameters.pop(name) for name in (*OF_CUT, *SHARED_WITH_CUT) if name in parameters}
-    if not cut:
-        names = ", ".join(name for name in of_cut if name in OF_CUT)
-        raise InvalidParameterError(f"{names} only count when the mesh is cut: give --cut too")
-    of_material = {name: parameters[name] for name in OF_MATERIAL if name in parameters}
-    if "grain" in of_material:
-        of_material["grain"] = grain_along(of_material["grain"], of_material.get("material", "Custom"))
-    vertices, faces, _ = developed_panels(mesh, **of_cut, **of_material)
+    known = {parameter.name for parameter in CUT.parameters}
+    of_cut = {name: value for name, value in parameters.items() if name in known}
+    for name in of_cut.keys() - set(OF_MATERIAL):  # panels are apart now, and none is left out
+        del parameters[name]
+    if "grain" in of_cut:
+        of_cut["grain"] = grain_along(of_cut["grain"], of_cut.get("material", "Custom"))
+    vertices, faces, _ = developed_panels(mesh, **of_cut)
+    millimetres = PatternOptions(unit=parameters["unit"]).millimetres
+    parameters.setdefault("seam_tolerance", millimetres * seam_tolerance(vertices, faces))
     return vertices, faces
 
 
@@ -175,6 +188,12 @@ def _developed_panels(mesh: Path, cut: bool, parameters: dict[str, Any]) -> tupl
     help="How far smooth lines may be from the mesh's vertices, mm.  [default: 0.3]",
 )
 @click.option(
+    "--seam-tolerance",
+    type=float,
+    help="How far seams may move on the model, both sides alike, to be smooth, mm.  [default: 0, and with "
+    "--cut half as long as the mesh's edges are on average]",
+)
+@click.option(
     "--max-strain",
     type=float,
     help="Pieces with an edge whose length changes by more, in per cent, are refused.  [default: 5]",
@@ -184,8 +203,8 @@ def _developed_panels(mesh: Path, cut: bool, parameters: dict[str, Any]) -> tupl
     is_flag=True,
     help="First cut the mesh into panels, and make these developable, or as nearly so as the material needs.",
 )
-@shared.filter_options(CUT, without=NOT_OF_CUT)
-@shared.filter_options(FLATTEN, without=["gap", "grain", "map", "write_texture_coordinates", "colorize"])
+@shared.filter_options(CUT, without=[*OF_FLATTENING, *NO_OPTIONS])
+@shared.filter_options(FLATTEN, without=NO_OPTIONS)
 @shared.json_option
 def command(mesh: Path, output: Path, name: str | None, as_json: bool, cut: bool, **options: Any) -> None:
     """Write panels, laid flat at true size, as patterns to print, cut and sew.
@@ -216,8 +235,10 @@ def command(mesh: Path, output: Path, name: str | None, as_json: bool, cut: bool
         if "unit" not in parameters:
             raise InvalidParameterError(_question_of_unit(mesh))
         source: Any = (mesh,)
-        if cut or not parameters.keys().isdisjoint(OF_CUT):
-            source = _developed_panels(mesh, cut, parameters)
+        if cut:
+            source = _developed_panels(mesh, parameters)
+        elif of_cut := ", ".join(name for name in parameters if name in OF_CUT):
+            raise InvalidParameterError(f"{of_cut} only count when the mesh is cut: give --cut too")
         made = make_patterns(*source, folder=output, name=name or mesh.stem, **parameters)
     values = {
         "pieces": len(made.piece_names),

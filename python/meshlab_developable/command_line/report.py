@@ -24,7 +24,10 @@ def _installation() -> str:
 @click.command(name="report")
 @click.argument("meshes", nargs=-1, required=True, type=shared.MESH)
 @click.option(
+    "-o",
+    "--output",
     "--out",
+    "out",
     type=click.Path(file_okay=False, path_type=Path),
     default=Path("report"),
     show_default=True,

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pymeshlab
 
-from meshlab_developable.cutting import CutReport, cut_layer
+from meshlab_developable.cutting import CutReport, cut_layer, seam_tolerance
 from meshlab_developable.errors import PatternError
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
 from meshlab_developable.panels import panel_reports
@@ -278,8 +278,12 @@ def _flatten(meshes: Any, file: Path) -> tuple[Pattern, FlatteningResult]:
 def _write_to_cut(flat: FlatteningResult, source: Input, file: Path) -> Sequence[Path]:
     """The pieces as files to print and cut, unless one of them can't be cut so."""
     unit = source.unit if source.unit in UNITS else "mm"
+    options = PatternOptions(unit=unit)
+    if source.cut:
+        tolerance = options.millimetres * seam_tolerance(flat.vertices, flat.faces)
+        options = dataclasses.replace(options, seam_tolerance=tolerance)
     try:
-        return write_patterns(flat, file.parent, file.stem, PatternOptions(unit=unit)).files
+        return write_patterns(flat, file.parent, file.stem, options).files
     except PatternError:
         return ()
 

@@ -90,7 +90,7 @@ def _arms(line: Array, t: Array, first: Array, last: Array) -> tuple[float, floa
     system = np.stack([np.outer(basis[:, 1], first).ravel(), -np.outer(basis[:, 2], last).ravel()], axis=1)
     one, other = np.linalg.lstsq(system, (line - fixed).ravel())[0]
     chord = float(np.linalg.norm(line[-1] - line[0]))
-    if min(one, other) < 1e-3 * chord or max(one, other) > 3 * chord:
+    if min(one, other) < 1e-3 * chord or max(one, other) > chord:  # beyond its chord it may turn back
         return chord / 3, chord / 3
     return float(one), float(other)
 

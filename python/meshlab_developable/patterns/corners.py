@@ -32,21 +32,23 @@ def find_corners(ring: Array, fixed: Collection[int], tolerance: float) -> set[i
     return found
 
 
-def tooth_heights(ring: Array, corners: Collection[int]) -> Array:
-    """How high saw-teeth are: corners between two others that turn the other way, each as sharp."""
+def find_teeth(ring: Array, corners: Collection[int], fixed: Collection[int]) -> dict[int, float]:
+    """Saw-teeth, and how high they are: corners between two others that turn the other way, each as sharp.
+
+    fixed: points that any line passes; no tolerance takes such a tooth away.
+    """
     order = np.array(sorted(corners), dtype=np.int64)
     if len(order) < 4:
-        return np.zeros(0)
+        return {}
     points = ring[order]
     turns = turning(points)
     before, after = np.roll(turns, 1), np.roll(turns, -1)
     sharp = np.minimum(abs(turns), np.minimum(abs(before), abs(after))) > 2 * NOTABLE
-    teeth = sharp & (turns * before < 0) & (turns * after < 0)
+    teeth = sharp & (turns * before < 0) & (turns * after < 0) & ~np.isin(order, list(fixed))
     chords = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
     offsets = points - np.roll(points, 1, axis=0)
-    heights: Array = abs(_cross(chords, offsets)) / np.maximum(np.linalg.norm(chords, axis=1), 1e-300)
-    of_teeth: Array = heights[teeth]
-    return of_teeth
+    heights = abs(_cross(chords, offsets)) / np.maximum(np.linalg.norm(chords, axis=1), 1e-300)
+    return dict(zip(order[teeth].tolist(), heights[teeth].tolist(), strict=True))
 
 
 def turning(ring: Array) -> Array:

@@ -75,7 +75,7 @@ def block_names(pieces: Sequence[str]) -> list[str]:
 
 
 def _fill(block: Any, drawing: Drawing) -> None:
-    name = drawing.texts[0]
+    name, quantity = drawing.texts[:2]
     _system_texts(
         block,
         (
@@ -83,7 +83,7 @@ def _fill(block: Any, drawing: Drawing) -> None:
             "Size: 1",
             f"Quantity: {drawing.quantity.like},{drawing.quantity.mirrored}",
         ),
-        name.centre - (1.5 * name.height, name.height),
+        np.array([name.centre[0] - 1.5 * name.height, quantity.centre[1] - quantity.height / 2]),
         name.height / 3,
     )
     for path in drawing.paths:

@@ -88,7 +88,7 @@ def fair_curve(points: Array, fixed: Sequence[int], closed: bool, deviation: flo
     count = len(points) - closed
     if count < 5:
         return curve
-    roughness = _third_differences(knots, closed)
+    roughness = third_differences(knots, closed)
     weights = np.ones(count)
     weights[[index % count for index in fixed]] = 1e9
 
@@ -98,7 +98,7 @@ def fair_curve(points: Array, fixed: Sequence[int], closed: bool, deviation: flo
         solved = scipy.sparse.linalg.spsolve(system.tocsc(), data @ points[:count])
         return np.vstack([solved, solved[:1]]) if closed else solved
 
-    low, high = -8.0, _most_smoothing(float(np.diff(knots).mean()), deviation)
+    low, high = -8.0, most_smoothing(float(np.diff(knots).mean()), deviation)
     for _ in range(_STEPS):
         middle = (low + high) / 2
         values = smoothed(middle)
@@ -111,13 +111,13 @@ def fair_curve(points: Array, fixed: Sequence[int], closed: bool, deviation: flo
     return curve
 
 
-def _most_smoothing(step: float, deviation: float) -> float:
+def most_smoothing(step: float, deviation: float) -> float:
     """The exponent of the weight at which ripples are halved; longer waves are bends and stay."""
     ripple = max(_RIPPLE + _RIPPLE_SHARE * deviation, 2 * np.pi * step)
     return float(6 * np.log10(ripple / (2 * np.pi * step)))
 
 
-def _third_differences(knots: Array, closed: bool) -> scipy.sparse.csr_array:
+def third_differences(knots: Array, closed: bool) -> scipy.sparse.csr_array:
     """Third divided differences, times the mean step to the third, so that they are lengths."""
     steps = np.diff(knots)
     count = len(steps) if closed else len(knots)

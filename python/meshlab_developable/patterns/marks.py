@@ -20,6 +20,7 @@ from meshlab_developable.patterns.symmetry import Fold
 from meshlab_developable.sewing import Seam, ease_of
 
 LETTER_HEIGHT, NAME_HEIGHT = 5.0, 8.0  # mm, on pieces that are large enough
+LEAST_HEIGHT = 2.0  # mm, of letters beside a short seam
 NOTCH_DEPTH = 4.0  # mm, unless the allowance is narrower
 LAST_GAP = 0.6  # from the last notch to the seam's end, of the distance between notches
 
@@ -165,6 +166,8 @@ def _letter(marked: MarkedSeam, piece: Piece, along: Array, side: int, height: f
     steps = np.linalg.norm(np.diff(along, axis=0), axis=1)
     edge = int(np.searchsorted(np.cumsum(steps), steps.sum() / 2))
     middle = (along[edge] + along[edge + 1]) / 2
+    # Beside a short dart, not on the letter of the next, but legible.
+    height = min(height, max(LEAST_HEIGHT, 0.3 * float(steps.sum())))
     return Text(marked.letter, middle - 1.1 * height * _outward(piece, along, edge), height)
 
 

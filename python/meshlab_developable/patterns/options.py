@@ -58,12 +58,13 @@ class PatternOptions:
     internal_lines: Sequence[npt.ArrayLike] = ()  # k x 3 each: vertices of the model, along its edges
     outline: str = "fair"  # smooth lines between corners; "exact": the mesh's own
     outline_tolerance: float = 0.3  # mm, from the mesh's vertices to smooth lines
+    seam_tolerance: float = 0.0  # mm, that seams may move on the model, both sides alike, to be smooth
     max_strain: float = 5.0  # per cent, that an edge's length may change by; infinite: any
 
     def __post_init__(self) -> None:
         _require(self.millimetres > 0, "unit", self.unit, f"one of {_names(UNITS)}, or millimetres above 0")
         _require(self.outline in OUTLINES, "outline", self.outline, f"one of {_names(OUTLINES)}")
-        for name in ("seam_allowance", "notch_spacing", "gap", "outline_tolerance"):
+        for name in ("seam_allowance", "notch_spacing", "gap", "outline_tolerance", "seam_tolerance"):
             value = getattr(self, name)
             _require(_finite(value) and value >= 0, name, value, "a finite length in mm, 0 or more")
         for name, value in self._special_allowances():

@@ -12,8 +12,9 @@ import shapely
 from meshlab_developable.flattening import FlatteningResult
 from meshlab_developable.mesh_sets import Array, IndexArray
 from meshlab_developable.patterns.boundary_rings import BoundaryRing, Run
-from meshlab_developable.patterns.corners import tooth_heights
+from meshlab_developable.patterns.corners import find_teeth
 from meshlab_developable.patterns.division import Division
+from meshlab_developable.patterns.seam_lines import smooth_seams
 from meshlab_developable.sewing import Seam, signed_area
 
 EQUAL = 0.005  # mm, by which the curves of a seam may differ
@@ -41,14 +42,22 @@ def exact_outlines(flat: FlatteningResult, millimetres: float) -> Outlines:
 
 
 def fair_outlines(
-    flat: FlatteningResult, millimetres: float, tolerance: float, names: Sequence[str]
+    flat: FlatteningResult,
+    millimetres: float,
+    tolerance: float,
+    names: Sequence[str],
+    seam_tolerance: float = 0.0,
 ) -> Outlines:
     """Smooth lines between the corners, that pass all vertices of the mesh within the tolerance (mm).
 
+    First seams are moved on the model by up to the seam tolerance (mm), where that makes them smooth.
     Both sides of a seam are equally long, and divided alike. Where no smooth lines are, as on a coarse mesh
     along a seam whose sides bend differently, or where they would cross each other, the mesh's remain.
     """
-    return _FairOutlines(flat, flat.vertices * millimetres, tolerance, names).outlines()
+    points = flat.vertices * millimetres
+    if seam_tolerance > 0:
+        points = smooth_seams(flat, points, seam_tolerance)
+    return _FairOutlines(flat, points, tolerance, names).outlines()
 
 
 def _seam(seam: Seam, sides: tuple[IndexArray, IndexArray], points: Array) -> Seam:
@@ -87,15 +96,20 @@ class _FairOutlines:
                 return self.made
 
     def _teeth(self) -> list[str]:
+        sewn = {int(vertex) for seam in self.flat.seams for side in seam.sides for vertex in side}
         notes = []
         for ring in self.rings:
-            heights = tooth_heights(ring.points, ring.corners)
-            if len(heights) >= MANY_TEETH:
+            teeth = find_teeth(ring.points, ring.corners, ring.fixed)
+            if len(teeth) >= MANY_TEETH:
                 name = self.names[int(self.flat.pieces[ring.loop[0]])]
-                highest = int(np.ceil(np.quantile(heights, 0.9) - 0.1))
+                highest = int(np.ceil(np.quantile(list(teeth.values()), 0.9) - 0.1))
+                of_seams = {int(ring.loop[position]) in sewn for position in teeth}
+                options = [word for word, on in (("a seam", True), ("an outline", False)) if on in of_seams]
+                advice = " and ".join(f"{option}_tolerance of {highest} (mm)" for option in options)
+                smooth = "smooths" if len(options) == 1 else "smooth"
                 notes.append(
-                    f"{name} has a jagged edge, {len(heights)} teeth about {highest} mm high: an "
-                    f"outline_tolerance of {highest} (mm) smooths them."
+                    f"{name} has a jagged edge, {len(teeth)} teeth about {highest} mm high: {advice} "
+                    f"{smooth} them."
                 )
         return notes
 

@@ -71,6 +71,7 @@ def share_overlaps(
 ) -> Outlines:
     """The outlines, with the line between the two sides in place of both where they overlap a little.
 
+    Sides of a slit that only touch are parted by next to nothing.
     Raises PatternError for wider overlaps, saying where.
     """
     points, notes = outlines.points.copy(), list(outlines.notes)
@@ -81,6 +82,7 @@ def share_overlaps(
             continue
         found = find_overlap(flat, number, points[outline], millimetres)
         if found is None:
+            points[outline] = _parted(points[outline], _mates(outlines, outline))
             continue
         shared = _shared(outlines, points, outline) if found.width <= NARROW else None
         if shared is None:
@@ -117,6 +119,23 @@ def _shared(outlines: Outlines, points: Array, outline: IndexArray) -> Array | N
     return None
 
 
+def _parted(ring: Array, mates: IndexArray) -> Array:
+    """The points of an outline, moved inwards where they lie on those that they are sewn to."""
+    touching = (mates >= 0) & (np.linalg.norm(ring[mates] - ring, axis=1) < _GAP)
+    inward = _inward(ring)
+    sizes = np.linalg.norm(inward, axis=1, keepdims=True)
+    parted: Array = np.where(touching[:, None], ring + _GAP / 2 * inward / np.maximum(sizes, 1e-9), ring)
+    return parted
+
+
+def _inward(ring: Array) -> Array:
+    """At each point of a ring twice the mean of its edges' normals to its inside."""
+    after, before = np.roll(ring, -1, axis=0) - ring, ring - np.roll(ring, 1, axis=0)
+    along = after / np.linalg.norm(after, axis=1)[:, None] + before / np.linalg.norm(before, axis=1)[:, None]
+    inward: Array = np.sign(signed_area(ring)) * np.stack([-along[:, 1], along[:, 0]], axis=1)
+    return inward
+
+
 def _mates(outlines: Outlines, outline: IndexArray) -> IndexArray:
     """For each point of an outline the one of it that it is sewn to, or -1."""
     position = {point: index for index, point in enumerate(outline.tolist())}
@@ -130,12 +149,9 @@ def _mates(outlines: Outlines, outline: IndexArray) -> IndexArray:
 
 def _lying_over(ring: Array) -> npt.NDArray[np.bool_]:
     """Which points of a ring lie on what it goes round elsewhere."""
-    sign = np.sign(signed_area(ring))
-    after, before = np.roll(ring, -1, axis=0) - ring, ring - np.roll(ring, 1, axis=0)
-    along = after / np.linalg.norm(after, axis=1)[:, None] + before / np.linalg.norm(before, axis=1)[:, None]
-    inward = sign * np.stack([-along[:, 1], along[:, 0]], axis=1)
+    inward = _inward(ring)
     sizes = np.linalg.norm(inward, axis=1, keepdims=True)
-    doubled = sign * windings(ring, ring + 1e-3 * inward / np.maximum(sizes, 1e-9)) > 1
+    doubled = np.sign(signed_area(ring)) * windings(ring, ring + 1e-3 * inward / np.maximum(sizes, 1e-9)) > 1
     # The tip of a slit has no inside to look at.
     over: npt.NDArray[np.bool_] = doubled & (sizes[:, 0] > 0.3)
     return over

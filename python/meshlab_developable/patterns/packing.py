@@ -49,7 +49,7 @@ def pack(
     padded = {name: _padded(shape, gap) for name, shape in shapes.items()}
     angles = {name: [0.0] if name in upright else _TURNS[turns] for name in shapes}
     if size is None:
-        return [_only_sheet(padded, angles, turns)]
+        return [_right_way_up(_only_sheet(padded, angles, turns), padded, upright)]
     _require_room(shapes, padded, size, turns)
     sheets = []
     while padded:
@@ -57,9 +57,36 @@ def pack(
         if not here:
             name = next(iter(padded))
             here = {name: _alone(padded[name], size, turns)}
-        sheets.append(Sheet(size, here))
+        sheets.append(_right_way_up(Sheet(size, here), padded, upright))
         padded = {name: shape for name, shape in padded.items() if name not in here}
     return sheets
+
+
+def _right_way_up(sheet: Sheet, padded: Mapping[str, shapely.Polygon], upright: Collection[str]) -> Sheet:
+    """The sheet turned round where more of what is on it, by area, would stand upright so.
+
+    Shapes that stay upright must look the same after a half turn; else the sheet stays.
+    """
+    pieces = {name: motion for name, motion in sheet.motions.items() if name not in upright}
+    up = sum(padded[name].area * math.cos(math.radians(motion.angle)) for name, motion in pieces.items())
+    kept = {name: padded[name] for name in sheet.motions if name in upright}
+    if up >= 0 or not all(_same_after_half_turn(shape) for shape in kept.values()):
+        return sheet
+    width, height = sheet.size
+    motions = {}
+    for name, motion in sheet.motions.items():
+        shift = (width - motion.shift[0], height - motion.shift[1])
+        motions[name] = Motion((motion.angle + 180) % 360, shift)
+        if name in kept:
+            left, low, right, high = kept[name].bounds
+            motions[name] = Motion(0.0, (shift[0] - left - right, shift[1] - low - high))
+    return Sheet(sheet.size, motions)
+
+
+def _same_after_half_turn(shape: shapely.Polygon) -> bool:
+    left, low, right, high = shape.bounds
+    turned = shapely.transform(shape, Motion(180.0, (left + right, low + high)))
+    return bool(shape.symmetric_difference(turned).area < 1e-6 * shape.area)
 
 
 def _fill_sheet(padded: Mapping[str, shapely.Polygon], angles: Angles, size: Size) -> dict[str, Motion]:

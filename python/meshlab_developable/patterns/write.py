@@ -142,7 +142,7 @@ def _outlines(flat: FlatteningResult, options: PatternOptions, names: Sequence[s
     if options.outline == "exact":
         outlines = exact_outlines(flat, unit)
     else:
-        outlines = fair_outlines(flat, unit, options.outline_tolerance, names)
+        outlines = fair_outlines(flat, unit, options.outline_tolerance, names, options.seam_tolerance)
     return share_overlaps(flat, outlines, names, unit)
 
 
