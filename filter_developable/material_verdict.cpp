@@ -87,12 +87,13 @@ void addStrains(Results& results, const FlattenReport& report) {
 }
 
 void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positions& positions,
-				   Results& results) {
+				   const KnownPatterns& known, Results& results) {
 	FlattenOptions options;
 	options.bounds = strainBounds(call.values);
-	options.grain = call.values.choice<Grain>("grain");
+	options.grain = chosenGrain(call.values);
 	try {
-		const FlatPatterns patterns = flattenPatches(assembly, positions, options);
+		const bool isKnown = known.shape.cols() == positions.cols() && known.shape == positions;
+		const FlatPatterns patterns = isKnown ? known.patterns : flattenPatches(assembly, positions, options);
 		addStrains(results, patterns.report);
 		results.push_back({"collapsed_faces", patterns.report.collapsedFaces, ""});
 		logWarnings(call, {results.back()});

@@ -21,9 +21,11 @@ from typing import Any, TypeAlias
 from meshlab_developable.errors import InvalidParameterError
 
 Entry: TypeAlias = Mapping[str, Any]
+Direction: TypeAlias = tuple[float, float, float]
 
 TABLE = Path(__file__).with_name("materials.json")
 OF_THE_USER = "DEVELOPABLE_MATERIAL"  # the plugin takes the entry in this variable for `Custom`
+GRAIN_OF_THE_USER = "DEVELOPABLE_GRAIN"  # and the direction in this one for `Longest seam`
 DIRECTIONS = ("warp", "weft", "bias")
 GRAIN_AXES = {"X axis": (1.0, 0.0, 0.0), "Y axis": (0.0, 1.0, 0.0), "Z axis": (0.0, 0.0, 1.0)}
 BOUNDS = {"stretch": 1000.0, "compression": 100.0}  # per cent, with the most there can be
@@ -112,28 +114,39 @@ def is_own_file(material: Any) -> bool:
 
 @contextlib.contextmanager
 def handed_over(values: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """Resolved parameters as filters take them: for an entry of one's own `Custom`, which it is meanwhile."""
-    chosen = values.get("material")
-    if not isinstance(chosen, Mapping):
-        yield dict(values)
-        return
-    before = os.environ.get(OF_THE_USER)
-    os.environ[OF_THE_USER] = json.dumps(chosen)
+    """Resolved parameters as filters take them: with `Custom` for an entry of one's own, which that is
+    meanwhile, and `Longest seam` for a direction of one's own alike.
+    """
+    taken, variables = dict(values), {}
+    if isinstance(taken.get("material"), Mapping):
+        variables[OF_THE_USER] = json.dumps(taken["material"])
+        taken["material"] = "Custom"
+    if _own_direction(values):
+        variables[GRAIN_OF_THE_USER] = json.dumps(taken["grain"])
+        taken["grain"] = "Longest seam"
+    before = {name: os.environ.get(name) for name in variables}
+    os.environ.update(variables)
     try:
-        yield dict(values) | {"material": "Custom"}
+        yield taken
     finally:
-        if before is None:
-            del os.environ[OF_THE_USER]
-        else:
-            os.environ[OF_THE_USER] = before
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
 
 
 def as_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
     """Resolved parameters with the bounds of an own entry as numbers, as a stored script can hold them.
 
     Bounds that are given beside it go before its own. Raises InvalidParameterError where they differ with the
-    direction.
+    direction, and for a grain that is a direction of one's own.
     """
+    if _own_direction(values):
+        raise InvalidParameterError(
+            f"a script can't hold the grain {values['grain']}, which is none of the filters' choices: apply "
+            "the filter from Python or the command line"
+        )
     entry = values.get("material")
     if not isinstance(entry, Mapping):
         return dict(values)
@@ -168,22 +181,27 @@ def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     return float(max(strains))
 
 
-def grain_along(direction: Sequence[float], material: Any) -> str:
-    """The choice of the filters' `grain` for a direction on the model.
+def grain_along(direction: Sequence[float]) -> str | Direction:
+    """The value of `grain` for a direction on the model: the filters' choice for an axis, else itself.
 
-    Only materials whose directions differ look at it. Raises InvalidParameterError for one of those with a
-    direction that is no axis.
+    Which way along it is no matter. Raises ValueError for what is no direction.
     """
+    if len(direction) != 3 or not all(map(math.isfinite, direction)) or not any(direction):
+        raise ValueError("a direction must be three finite numbers, and not all of them 0")
     along = [axis for axis, part in zip(GRAIN_AXES, direction, strict=True) if part != 0]
-    if len(along) == 1:
-        return along[0]
-    entry = _entry_of(material)
-    if any(isinstance(entry.get(key), Mapping) for key in BOUNDS):
-        raise InvalidParameterError(
-            f"{entry['name']} bears more in one direction than in another, so its grain has to run along x, "
-            "y or z, or along the longest seam"
-        )
-    return "Longest seam"
+    return along[0] if len(along) == 1 else (float(direction[0]), float(direction[1]), float(direction[2]))
+
+
+def grain_direction(values: Mapping[str, Any]) -> Direction | None:
+    """The direction on the model that checked parameters have for the grain; None along seams."""
+    own = _own_direction(values)
+    return own if own else GRAIN_AXES.get(values.get("grain", ""))
+
+
+def _own_direction(values: Mapping[str, Any]) -> Direction | None:
+    """That of `grain` where it is none of the filters' choices."""
+    grain = values.get("grain", "")
+    return None if isinstance(grain, str) else (grain[0], grain[1], grain[2])
 
 
 def _entry_of(material: Any) -> Entry:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import re
 
+import numpy as np
 import pytest
 from meshlab_developable import filters, materials, scripts
 from meshlab_developable.errors import InvalidParameterError
@@ -138,10 +139,36 @@ def test_patterns_may_be_strained_by_what_the_material_bears(own_file):
     assert strain({"material": f"{own_file}#Twill"}) == pytest.approx(100 * (1 - 1 / 1.03))
 
 
-def test_the_grain_of_a_directed_material_runs_along_an_axis(own_file):
-    with pytest.raises(InvalidParameterError, match="Twill bears more in one direction"):
-        materials.grain_along((1.0, 1.0, 0), f"{own_file}#Twill")
-    assert materials.grain_along((0, -2.0, 0), "Woven cloth") == "Y axis"
-    assert materials.grain_along((1.0, 1.0, 0), "Leather") == "Longest seam"
-    with pytest.raises(InvalidParameterError, match="has to run along x, y or z"):
-        materials.grain_along((1.0, 1.0, 0), "Woven cloth")
+def test_a_grain_is_a_choice_or_a_direction_whose_axes_are_choices():
+    checked = filters.GLOBAL.checked
+    assert checked({"grain": (0.0, 0.5, 1)}) == {"grain": (0.0, 0.5, 1.0)}
+    assert checked({"grain": np.array([0.0, -2.0, 0.0])}) == {"grain": "Y axis"}
+    assert checked({"grain": 3}) == {"grain": "Z axis"}
+    parsed = filters.FLATTEN.parsed
+    assert parsed({"grain": "0,0.5,1"}) == {"grain": (0.0, 0.5, 1.0)}
+    assert parsed({"grain": "0, 0, 3"}) == {"grain": "Z axis"}
+    assert parsed({"grain": "longest seam"}) == {"grain": "Longest seam"}
+
+
+@pytest.mark.parametrize(
+    ("direction", "message"),
+    [
+        ((0, 0, 0), "not all of them 0"),
+        ((1, 2), "three finite numbers"),
+        ((1, 2, 3, 4), "three finite numbers"),
+        ((1, float("nan"), 0), "three finite numbers"),
+        (("x", 1, 0), "three numbers"),
+        ("Longest side", "did you mean 'Longest seam'"),
+    ],
+)
+def test_what_is_no_direction_is_refused(direction, message):
+    with pytest.raises(InvalidParameterError, match=message):
+        filters.CUT.checked({"grain": direction})
+
+
+def test_a_script_refuses_a_direction_of_ones_own_and_holds_an_axis():
+    with pytest.raises(InvalidParameterError, match="a script can't hold the grain"):
+        scripts.script_text(filters.GLOBAL, {"grain": (1.0, 1.0, 0.0)})
+    assert 'name="grain" type="RichEnum" value="2"' in scripts.script_text(
+        filters.GLOBAL, {"grain": (0, 1, 0)}
+    )

@@ -15,6 +15,7 @@ from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import CUT, FLATTEN
 from meshlab_developable.materials import grain_along
 from meshlab_developable.mesh_sets import Array, IndexArray
+from meshlab_developable.parameters import converted
 from meshlab_developable.patterns.options import COPIES, FORMATS, OUTLINES, PAPERS, TURNS, UNITS, Size
 
 # Parameters that the cut shares with laying flat, and those that have no say in it.
@@ -95,7 +96,7 @@ def _developed_panels(mesh: Path, cut: bool, parameters: dict[str, Any]) -> tupl
         raise InvalidParameterError(f"{names} only count when the mesh is cut: give --cut too")
     of_material = {name: parameters[name] for name in OF_MATERIAL if name in parameters}
     if "grain" in of_material:
-        of_material["grain"] = grain_along(of_material["grain"], of_material.get("material", "Custom"))
+        of_material["grain"] = converted("grain", of_material["grain"], grain_along)
     vertices, faces, _ = developed_panels(mesh, **of_cut, **of_material)
     return vertices, faces
 

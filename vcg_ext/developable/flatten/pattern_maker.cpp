@@ -50,7 +50,7 @@ bool PatternMaker::flattenPanels(int iterations, bool leastSquares, const Progre
 	return true;
 }
 
-void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin) {
+void PatternMaker::keepWithin(const StrainBounds& bounds, const Grain& grain, bool onlyWithin) {
 	patterns_.bounds = bounds;
 	patterns_.grain = grain;
 	if (!bounds.any())

@@ -22,7 +22,7 @@ public:
 	bool flattenPanels(int iterations, bool leastSquares, const Progress& progress);
 
 	/// After the panels are flat: brings their triangles within the bounds, if there are any.
-	void keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin);
+	void keepWithin(const StrainBounds& bounds, const Grain& grain, bool onlyWithin);
 
 	/// Once, after the panels are flat.
 	/// \param gap  see FlattenOptions
