@@ -165,20 +165,44 @@ def as_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
 def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     """By how much an edge of a pattern within its bounds may differ from the model's, per cent of that.
 
-    An edge that is shorter on the model by c of its pattern's length is longer in the pattern by c / (1 - c)
-    of the model's; one that is stretched by s is shorter by s / (1 + s).
+    An edge that is as long on the model as in the pattern times λ differs by |1 / λ − 1| of the model's. λ is
+    between the singular values of its triangle's map, which may be beyond the bounds of all three directions:
+    where warp and weft are stretched and compressed, what the bias bears comes on top of that.
     """
     entry = _entry_of(parameters.get("material"))
-    strains = [0.0]
-    for key, sign in (("stretch", 1), ("compression", -1)):
+    limits = []
+    for key, sign in (("compression", -1), ("stretch", 1)):
         bound = parameters.get(f"allowed_{key}", -1.0)
-        if bound == -1.0:
-            own = entry.get(key, 0.0)
-            bounds = [*own.values()] if isinstance(own, Mapping) else [own]
-        else:
-            bounds = [bound] if isinstance(bound, int | float) and math.isfinite(bound) else []
-        strains += [100 * bound / (100 + sign * bound) for bound in bounds if 0 < bound < 100 or sign > 0]
-    return float(max(strains))
+        own = entry.get(key, 0.0) if bound == -1.0 else bound
+        of_directions = [own[name] for name in DIRECTIONS] if isinstance(own, Mapping) else [own] * 3
+        if not all(isinstance(value, int | float) and 0 <= value <= BOUNDS[key] for value in of_directions):
+            return 0.0  # which the filter refuses
+        limits.append([(1 + sign * value / 100) ** 2 for value in of_directions])
+    least, greatest = _extreme_squares(*limits)
+    return 100 * max(least**-0.5 - 1 if least > 0 else 0.0, 1 - greatest**-0.5)
+
+
+def _extreme_squares(lows: Sequence[float], highs: Sequence[float]) -> tuple[float, float]:
+    """The least and the greatest square of a singular value of F, from the limits of |F v|² along warp, weft
+    and both biases.
+
+    With a = |F warp|², b = |F weft|² and c = warp · FᵀF weft it is (a + b) / 2 ± √((a − b)² / 4 + c²), and
+    the biases' are (a + b) / 2 ± c. So the extremes are at corners of what a, b and c may be.
+    """
+    least, greatest = min(lows), max(highs)
+    if len(set(lows)) == len(set(highs)) == 1:
+        return least, greatest
+    (low_a, low_b, low), (high_a, high_b, high) = lows, highs
+    corners = [(a, b) for a in (low_a, high_a) for b in (low_b, high_b)]
+    corners += [(a, low + high - a) for a in (low_a, high_a)]  # where c may be largest
+    corners += [(low + high - b, b) for b in (low_b, high_b)]
+    for a, b in corners:
+        shear = min(high - (a + b) / 2, (a + b) / 2 - low)
+        if shear >= 0 and low_a <= a <= high_a and low_b <= b <= high_b:
+            radius = math.hypot((a - b) / 2, shear)
+            least = min(least, (a + b) / 2 - radius)
+            greatest = max(greatest, (a + b) / 2 + radius)
+    return least, greatest
 
 
 def grain_along(direction: Sequence[float]) -> str | Direction:

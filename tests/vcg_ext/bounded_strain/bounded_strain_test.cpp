@@ -139,6 +139,34 @@ TEST(BoundedStrain, DirectedBoundsAreKeptWhicheverWayTheGrainRuns) {
 	}
 }
 
+TEST(BoundedStrain, TheGrainTurnsWithTheModel) {
+	const Eigen::Matrix3d turn =
+		Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+	TriangleMesh mesh = grid(11, 9, [](double u, double v) {
+		return Eigen::Vector3d(1.4 * u, v, 0.3 * std::exp(-9 * (u - 0.4) * (u - 0.4) - 12 * v * v));
+	});
+	const PatchAssembly upright = assembled(mesh);
+	mesh.positions = turn * mesh.positions;
+	const PatchAssembly turned = assembled(mesh);
+	BoundedStrainOptions options;
+	options.bounds.directed = true;
+	options.bounds.warp = {0.003, 0.003};
+	options.bounds.weft = options.bounds.bias = {0.02, 0.02};
+	double distances[2]; // along x, and along the direction at 45 degrees
+	for (const int bias : {0, 1}) {
+		const Eigen::Vector3d grain(1, bias, 0);
+		Positions here = upright.originalPositions, there = turned.originalPositions;
+		options.grain = Grain(grain);
+		ASSERT_TRUE(converged(boundedStrain(upright, here, options).status));
+		options.grain = Grain(Eigen::Vector3d(turn * grain));
+		ASSERT_TRUE(converged(boundedStrain(turned, there, options).status));
+		distances[bias] = distance(upright, here);
+		EXPECT_NEAR(distance(turned, there) / distances[bias], 1, 0.01);
+		EXPECT_LT((there - turn * here).colwise().norm().maxCoeff(), 0.1 * distances[bias]);
+	}
+	EXPECT_GT(std::abs(distances[1] / distances[0] - 1), 0.05);
+}
+
 TEST(BoundedStrain, MovesLessTheMoreIsAllowedAndNeverFartherThanToADevelopableShape) {
 	const PatchAssembly assembly = assembled(jitteredGrid(17, 17, sphereCap(1)));
 	Positions developable = assembly.originalPositions;
