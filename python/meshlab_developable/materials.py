@@ -179,7 +179,8 @@ def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
             return 0.0  # which the filter refuses
         limits.append([(1 + sign * value / 100) ** 2 for value in of_directions])
     least, greatest = _extreme_squares(*limits)
-    return 100 * max(least**-0.5 - 1 if least > 0 else 0.0, 1 - greatest**-0.5)
+    longer = 1 / math.sqrt(least) - 1 if least > 0 else 0.0
+    return 100 * max(longer, 1 - 1 / math.sqrt(greatest))
 
 
 def _extreme_squares(lows: Sequence[float], highs: Sequence[float]) -> tuple[float, float]:
