@@ -3,10 +3,10 @@
 
 `bash bench/run.sh material_reference [COLUMNS [ours]]`: bumps and saddles on a grid (15) at three bounds.
 IPOPT (Wächter and Biegler 2006), with exact second derivatives by CasADi, looks for the least Σ m |d|² / A
-under the same bounds, shape and pattern being its unknowns too: with a triangle's map F from pattern to shape,
-(1 + s)² I − FᵀF and FᵀF − (1 − c)² I must be positive semidefinite. It begins once at our result and once at
-the original with its pattern of least squares; the better end counts. With `ours`, for large grids, it only
-begins at our result, which takes a fraction of the time. Ours has a smoothness of 1e-9, so that
+under the same bounds, shape and pattern being its unknowns too: with a triangle's map F from pattern to
+shape, (1 + s)² I − FᵀF and FᵀF − (1 − c)² I must be positive semidefinite. It begins once at our result and
+once at the original with its pattern of least squares; the better end counts. With `ours`, for large grids,
+it only begins at our result, which takes a fraction of the time. Ours has a smoothness of 1e-9, so that
 bending counts for nothing there either.
 """
 
