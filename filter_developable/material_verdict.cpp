@@ -55,7 +55,17 @@ std::string panelsBeyond(const std::vector<std::size_t>& beyond, const PatchAsse
 	return beyond.size() > mostPanels ? words + ", and others by less" : words;
 }
 
-std::string verdict(const Material& material, const PatchAssembly& assembly, const FlatPatterns& patterns,
+/// "Leather, 1.2 thick", by the thickness that was asked for, in the mesh's unit, or that of the table.
+std::string materialInWords(const ParameterValues& values) {
+	const Material material = chosenMaterial(values);
+	const double asked = values.has("thickness") ? values.number("thickness") : 0;
+	if (asked > 0)
+		return material.name + ", " + formatted(asked, 3) + " thick";
+	return material.thickness > 0 ? material.name + ", " + formatted(material.thickness, 3) + " mm"
+								  : material.name;
+}
+
+std::string verdict(const std::string& material, const PatchAssembly& assembly, const FlatPatterns& patterns,
 					const Positions& positions) {
 	const FlattenReport& report = patterns.report;
 	std::vector<std::size_t> beyond;
@@ -66,10 +76,7 @@ std::string verdict(const Material& material, const PatchAssembly& assembly, con
 		return patterns.pieces[a].beyondBounds > patterns.pieces[b].beyondBounds;
 	});
 	const std::string bounds = boundsInWords(patterns.bounds);
-	std::string words = material.name;
-	if (material.thickness > 0)
-		words += ", " + formatted(material.thickness, 3) + " mm";
-	words += ": ";
+	std::string words = material + ": ";
 	if (beyond.empty())
 		words += "every panel is within its " + bounds;
 	else
@@ -87,18 +94,19 @@ void addStrains(Results& results, const FlattenReport& report) {
 }
 
 void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positions& positions,
-				   Results& results) {
+				   const KnownPatterns& known, Results& results) {
 	FlattenOptions options;
 	options.bounds = strainBounds(call.values);
-	options.grain = call.values.choice<Grain>("grain");
+	options.grain = chosenGrain(call.values);
 	try {
-		const FlatPatterns patterns = flattenPatches(assembly, positions, options);
+		const bool isKnown = known.shape.cols() == positions.cols() && known.shape == positions;
+		const FlatPatterns patterns = isKnown ? known.patterns : flattenPatches(assembly, positions, options);
 		addStrains(results, patterns.report);
 		results.push_back({"collapsed_faces", patterns.report.collapsedFaces, ""});
 		logWarnings(call, {results.back()});
 		if (!options.bounds.any())
 			return;
-		call.log(verdict(chosenMaterial(call.values), assembly, patterns, positions));
+		call.log(verdict(materialInWords(call.values), assembly, patterns, positions));
 		for (const std::string& note : patterns.report.notes)
 			call.log(note);
 	} catch (
@@ -123,7 +131,7 @@ void judgeBending(FilterCall& call, const PatchAssembly& assembly, const Positio
 	const double limit = leastBendingRadius(inWorkingUnits(exponent, thickness), material.elasticStrain);
 	int tightest = 0;
 	const double least = radii.minCoeff(&tightest);
-	call.log(material.name + ", " + formatted(thickness, 3) + " thick, bears radii down to " +
+	call.log(materialInWords(call.values) + ", bears radii down to " +
 			 formatted(inMeshUnits(exponent, limit), 3) + ": " +
 			 formatted(perCent * shareBelowRadius(assembly, positions, radii, limit), 3) +
 			 " % of the area is bent more tightly; the smallest radius is " +

@@ -124,6 +124,18 @@ Material chosenMaterial(const ParameterValues& values) {
 										: materials()[index];
 }
 
+Grain chosenGrain(const ParameterValues& values) {
+	const auto choice = values.choice<Grain::Choice>("grain");
+	const char* own = std::getenv(ownGrainVariable);
+	if (choice != Grain::LongestSeam || own == nullptr)
+		return choice;
+	const QJsonArray numbers = QJsonDocument::fromJson(own).array();
+	Eigen::Vector3d direction = Eigen::Vector3d::Zero(); // which is none
+	for (int i = 0; i < 3 && numbers.size() == 3; ++i)
+		direction[i] = numbers[i].toDouble();
+	return Grain(direction);
+}
+
 double smallestRadius(const ParameterValues& values) {
 	const double elasticStrain = chosenMaterial(values).elasticStrain;
 	return elasticStrain > 0 ? leastBendingRadius(values.number("thickness"), elasticStrain) : 0;

@@ -33,6 +33,13 @@ std::vector<Parameter> materialParameters();
 /// The environment variable that holds an entry of a user's own, in the table's form; it stands for Custom.
 constexpr const char* ownMaterialVariable = "DEVELOPABLE_MATERIAL";
 
+/// The environment variable that holds a direction of a user's own, [x, y, z]; it stands for the longest
+/// seam.
+constexpr const char* ownGrainVariable = "DEVELOPABLE_GRAIN";
+
+/// \throws InvalidParameter  when the user's own is none
+Grain chosenGrain(const ParameterValues& values);
+
 /// \throws InvalidParameter  when the user's own is none
 Material chosenMaterial(const ParameterValues& values);
 

@@ -38,6 +38,7 @@ from meshlab_developable.parameters import (
     Boolean,
     Choice,
     Filter,
+    Grain,
     Layer,
     Length,
     Material,
@@ -52,7 +53,7 @@ SIGNATURES_HEAD = f"""{HEAD}
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 import numpy.typing as npt
@@ -145,7 +146,7 @@ def kind_text(parameter: Any) -> str:
     kinds = {"bool": "Boolean", "int": "Whole", "float": "Number", "length": "Length", "mesh": "Layer"}
     arguments: dict[str, Any] = {}
     if parameter["type"] == "enumeration":
-        kind = "Material" if parameter["name"] == "material" else "Choice"
+        kind = {"material": "Material", "grain": "Grain"}.get(parameter["name"], "Choice")
         return f"{kind}({tuple(parameter['choices'])!r})"
     if parameter["type"] == "length":
         arguments = {"automatic": parameter["automatic"]}
@@ -240,8 +241,8 @@ def words_of(parameter: Any) -> str:
 def annotation_of(parameter: Any) -> str:
     """The type of the parameter, as Python writes it."""
     if parameter["type"] == "enumeration":
-        own_files = " | str | Mapping[str, Any]" if parameter["name"] == "material" else ""
-        return f"Literal[{', '.join(map(repr, parameter['choices']))}]{own_files}"
+        own = {"material": " | str | Mapping[str, Any]", "grain": " | Sequence[float]"}
+        return f"Literal[{', '.join(map(repr, parameter['choices']))}]{own.get(parameter['name'], '')}"
     return {"bool": "bool", "int": "int", "float": "float", "length": "float | str", "mesh": "int"}[
         parameter["type"]
     ]

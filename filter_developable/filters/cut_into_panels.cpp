@@ -23,7 +23,7 @@ void refuseWhatDoesNotWork(const ParameterValues& values) {
 CutOptions optionsOf(const ParameterValues& values, int lengthExponent) {
 	CutOptions options;
 	options.maxDisplacement = inWorkingUnits(lengthExponent, values.number("max_displacement"));
-	options.material = {strainBounds(values), values.choice<Grain>("grain"), chosenSmoothness(values)};
+	options.material = {strainBounds(values), chosenGrain(values), chosenSmoothness(values)};
 	options.maxPanels = values.integer("max_panels");
 	options.darts = values.boolean("darts");
 	options.creaseAngle = values.number("crease_angle");

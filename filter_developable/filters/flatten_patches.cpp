@@ -109,7 +109,7 @@ Results run(FilterCall& call) {
 	FlattenOptions options;
 	options.gap = inWorkingUnits(assembly.lengthExponent, call.values.number("gap"));
 	options.bounds = strainBounds(call.values);
-	options.grain = call.values.choice<Grain>("grain");
+	options.grain = chosenGrain(call.values);
 	FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions, options, call.progress);
 	if (patterns.report.stopped) {
 		call.log("stopped by the user: nothing was changed");

@@ -64,34 +64,39 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 }
 
 /// As near as the material lets the shape stay.
+/// \param known  to be set to the result's patterns where there are some
 OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAssembly& assembly,
-									Positions& positions, const Progress& progress) {
+									Positions& positions, KnownPatterns& known, const Progress& progress) {
 	BoundedStrainOptions options;
 	options.bounds = strainBounds(values);
-	options.grain = values.choice<Grain>("grain");
+	options.grain = chosenGrain(values);
 	options.maxIterations = values.integer("max_iterations");
 	options.smoothness = chosenSmoothness(values);
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
 	options.leastRadius = inWorkingUnits(assembly.lengthExponent, smallestRadius(values));
 	options.threads = threadsAskedFor();
-	return boundedStrain(assembly, positions, options, progress);
+	BoundedStrainReport report = boundedStrain(assembly, positions, options, progress);
+	if (!report.patterns.pieces.empty())
+		known = {positions, std::move(report.patterns)};
+	return report;
 }
 
 Results run(FilterCall& call) {
 	const ParameterValues& values = call.values;
 	const bool newton = values.choice<Solver>("solver") == Solver::ConstrainedNewton;
 	const bool strained = newton && strainBounds(values).any();
+	KnownPatterns known;
 	const Method method = [&](const PatchAssembly& assembly, Positions& positions, const Progress& progress) {
 		if (strained)
-			return runBoundedStrain(values, assembly, positions, progress);
+			return runBoundedStrain(values, assembly, positions, known, progress);
 		return newton ? runConstrainedNewton(values, assembly, positions, progress)
 					  : runConjugateGradient(values, assembly, positions, progress);
 	};
 	Optimized optimized = optimizeLayer(call, method);
 	optimized.results.push_back(
 		{"max_border_angle", borderAngles(optimized.assembly, optimized.positions).maxCoeff(), ""});
-	judgeMaterial(call, optimized.assembly, optimized.positions, optimized.results);
+	judgeMaterial(call, optimized.assembly, optimized.positions, known, optimized.results);
 	judgeBending(call, optimized.assembly, optimized.positions);
 	return optimized.results;
 }

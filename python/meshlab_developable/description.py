@@ -11,6 +11,7 @@ from meshlab_developable.parameters import (
     Boolean,
     Choice,
     Filter,
+    Grain,
     Layer,
     Length,
     Material,
@@ -133,7 +134,7 @@ GLOBAL = Filter(
         ),
         Parameter(
             "grain",
-            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            Grain(("Longest seam", "X axis", "Y axis", "Z axis")),
             "Longest seam",
             "",
             "Constrained Newton only: Which way the grain, the warp of a cloth, runs in every panel.",
@@ -397,7 +398,7 @@ FLATTEN = Filter(
         ),
         Parameter(
             "grain",
-            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            Grain(("Longest seam", "X axis", "Y axis", "Z axis")),
             "Longest seam",
             "",
             "Which way the grain, the warp of a cloth, runs in every panel.",
@@ -503,7 +504,7 @@ CUT = Filter(
         ),
         Parameter(
             "grain",
-            Choice(("Longest seam", "X axis", "Y axis", "Z axis")),
+            Grain(("Longest seam", "X axis", "Y axis", "Z axis")),
             "Longest seam",
             "",
             "Which way the grain, the warp of a cloth, runs in every panel.",

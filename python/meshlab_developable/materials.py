@@ -21,9 +21,11 @@ from typing import Any, TypeAlias
 from meshlab_developable.errors import InvalidParameterError
 
 Entry: TypeAlias = Mapping[str, Any]
+Direction: TypeAlias = tuple[float, float, float]
 
 TABLE = Path(__file__).with_name("materials.json")
 OF_THE_USER = "DEVELOPABLE_MATERIAL"  # the plugin takes the entry in this variable for `Custom`
+GRAIN_OF_THE_USER = "DEVELOPABLE_GRAIN"  # and the direction in this one for `Longest seam`
 DIRECTIONS = ("warp", "weft", "bias")
 GRAIN_AXES = {"X axis": (1.0, 0.0, 0.0), "Y axis": (0.0, 1.0, 0.0), "Z axis": (0.0, 0.0, 1.0)}
 BOUNDS = {"stretch": 1000.0, "compression": 100.0}  # per cent, with the most there can be
@@ -112,28 +114,39 @@ def is_own_file(material: Any) -> bool:
 
 @contextlib.contextmanager
 def handed_over(values: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """Resolved parameters as filters take them: for an entry of one's own `Custom`, which it is meanwhile."""
-    chosen = values.get("material")
-    if not isinstance(chosen, Mapping):
-        yield dict(values)
-        return
-    before = os.environ.get(OF_THE_USER)
-    os.environ[OF_THE_USER] = json.dumps(chosen)
+    """Resolved parameters as filters take them: with `Custom` for an entry of one's own, which that is
+    meanwhile, and `Longest seam` for a direction of one's own alike.
+    """
+    taken, variables = dict(values), {}
+    if isinstance(taken.get("material"), Mapping):
+        variables[OF_THE_USER] = json.dumps(taken["material"])
+        taken["material"] = "Custom"
+    if _own_direction(values):
+        variables[GRAIN_OF_THE_USER] = json.dumps(taken["grain"])
+        taken["grain"] = "Longest seam"
+    before = {name: os.environ.get(name) for name in variables}
+    os.environ.update(variables)
     try:
-        yield dict(values) | {"material": "Custom"}
+        yield taken
     finally:
-        if before is None:
-            del os.environ[OF_THE_USER]
-        else:
-            os.environ[OF_THE_USER] = before
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
 
 
 def as_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
     """Resolved parameters with the bounds of an own entry as numbers, as a stored script can hold them.
 
     Bounds that are given beside it go before its own. Raises InvalidParameterError where they differ with the
-    direction.
+    direction, and for a grain that is a direction of one's own.
     """
+    if _own_direction(values):
+        raise InvalidParameterError(
+            f"a script can't hold the grain {values['grain']}, which is none of the filters' choices: apply "
+            "the filter from Python or the command line"
+        )
     entry = values.get("material")
     if not isinstance(entry, Mapping):
         return dict(values)
@@ -152,38 +165,68 @@ def as_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
 def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     """By how much an edge of a pattern within its bounds may differ from the model's, per cent of that.
 
-    An edge that is shorter on the model by c of its pattern's length is longer in the pattern by c / (1 - c)
-    of the model's; one that is stretched by s is shorter by s / (1 + s).
+    An edge that is as long on the model as in the pattern times λ differs by |1 / λ − 1| of the model's. λ is
+    between the singular values of its triangle's map, which may be beyond the bounds of all three directions:
+    where warp and weft are stretched and compressed, what the bias bears comes on top of that.
     """
     entry = _entry_of(parameters.get("material"))
-    strains = [0.0]
-    for key, sign in (("stretch", 1), ("compression", -1)):
+    limits = []
+    for key, sign in (("compression", -1), ("stretch", 1)):
         bound = parameters.get(f"allowed_{key}", -1.0)
-        if bound == -1.0:
-            own = entry.get(key, 0.0)
-            bounds = [*own.values()] if isinstance(own, Mapping) else [own]
-        else:
-            bounds = [bound] if isinstance(bound, int | float) and math.isfinite(bound) else []
-        strains += [100 * bound / (100 + sign * bound) for bound in bounds if 0 < bound < 100 or sign > 0]
-    return float(max(strains))
+        own = entry.get(key, 0.0) if bound == -1.0 else bound
+        of_directions = [own[name] for name in DIRECTIONS] if isinstance(own, Mapping) else [own] * 3
+        if not all(isinstance(value, int | float) and 0 <= value <= BOUNDS[key] for value in of_directions):
+            return 0.0  # which the filter refuses
+        limits.append([(1 + sign * value / 100) ** 2 for value in of_directions])
+    least, greatest = _extreme_squares(*limits)
+    longer = 1 / math.sqrt(least) - 1 if least > 0 else 0.0
+    return 100 * max(longer, 1 - 1 / math.sqrt(greatest))
 
 
-def grain_along(direction: Sequence[float], material: Any) -> str:
-    """The choice of the filters' `grain` for a direction on the model.
+def _extreme_squares(lows: Sequence[float], highs: Sequence[float]) -> tuple[float, float]:
+    """The least and the greatest square of a singular value of F, from the limits of |F v|² along warp, weft
+    and both biases.
 
-    Only materials whose directions differ look at it. Raises InvalidParameterError for one of those with a
-    direction that is no axis.
+    With a = |F warp|², b = |F weft|² and c = warp · FᵀF weft it is (a + b) / 2 ± √((a − b)² / 4 + c²), and
+    the biases' are (a + b) / 2 ± c. So the extremes are at corners of what a, b and c may be.
     """
+    least, greatest = min(lows), max(highs)
+    if len(set(lows)) == len(set(highs)) == 1:
+        return least, greatest
+    (low_a, low_b, low), (high_a, high_b, high) = lows, highs
+    corners = [(a, b) for a in (low_a, high_a) for b in (low_b, high_b)]
+    corners += [(a, low + high - a) for a in (low_a, high_a)]  # where c may be largest
+    corners += [(low + high - b, b) for b in (low_b, high_b)]
+    for a, b in corners:
+        shear = min(high - (a + b) / 2, (a + b) / 2 - low)
+        if shear >= 0 and low_a <= a <= high_a and low_b <= b <= high_b:
+            radius = math.hypot((a - b) / 2, shear)
+            least = min(least, (a + b) / 2 - radius)
+            greatest = max(greatest, (a + b) / 2 + radius)
+    return least, greatest
+
+
+def grain_along(direction: Sequence[float]) -> str | Direction:
+    """The value of `grain` for a direction on the model: the filters' choice for an axis, else itself.
+
+    Which way along it is no matter. Raises ValueError for what is no direction.
+    """
+    if len(direction) != 3 or not all(map(math.isfinite, direction)) or not any(direction):
+        raise ValueError("a direction must be three finite numbers, and not all of them 0")
     along = [axis for axis, part in zip(GRAIN_AXES, direction, strict=True) if part != 0]
-    if len(along) == 1:
-        return along[0]
-    entry = _entry_of(material)
-    if any(isinstance(entry.get(key), Mapping) for key in BOUNDS):
-        raise InvalidParameterError(
-            f"{entry['name']} bears more in one direction than in another, so its grain has to run along x, "
-            "y or z, or along the longest seam"
-        )
-    return "Longest seam"
+    return along[0] if len(along) == 1 else (float(direction[0]), float(direction[1]), float(direction[2]))
+
+
+def grain_direction(values: Mapping[str, Any]) -> Direction | None:
+    """The direction on the model that checked parameters have for the grain; None along seams."""
+    own = _own_direction(values)
+    return own if own else GRAIN_AXES.get(values.get("grain", ""))
+
+
+def _own_direction(values: Mapping[str, Any]) -> Direction | None:
+    """That of `grain` where it is none of the filters' choices."""
+    grain = values.get("grain", "")
+    return None if isinstance(grain, str) else (grain[0], grain[1], grain[2])
 
 
 def _entry_of(material: Any) -> Entry:

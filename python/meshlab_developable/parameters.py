@@ -197,6 +197,24 @@ class Material(Choice):
 
 
 @dataclasses.dataclass(frozen=True)
+class Grain(Choice):
+    """One of the plugin's choices, or a direction on the model: three numbers."""
+
+    def check(self, value: Any) -> Any:
+        """A choice, its index, or a direction; that of an axis is the choice of this axis."""
+        if isinstance(value, str) or np.ndim(value) == 0:
+            return super().check(value)
+        if not all(_is_number(part) for part in value):
+            raise ValueError("must be one of the filter's choices or three numbers")
+        return materials.grain_along(value)
+
+    def parse(self, text: str) -> Any:
+        """A choice in any case, the index, or a direction like 0,0.5,1."""
+        parts = [_as_number(part) for part in text.split(",")]
+        return super().parse(text) if len(parts) == 1 else self.check(parts)
+
+
+@dataclasses.dataclass(frozen=True)
 class Layer(Kind):
     """A layer, by its number from 0."""
 
@@ -291,8 +309,12 @@ def _is_integer(value: Any) -> bool:
     return isinstance(value, numbers.Integral) and not isinstance(value, bool)
 
 
+def _is_number(value: Any) -> bool:
+    return isinstance(value, numbers.Real) and not isinstance(value, bool)
+
+
 def _is_finite(value: Any) -> bool:
-    return isinstance(value, numbers.Real) and not isinstance(value, bool) and math.isfinite(value)
+    return _is_number(value) and math.isfinite(value)
 
 
 def _as_number(text: str) -> float | str:

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 import numpy.typing as npt
@@ -101,7 +101,7 @@ def make_developable(
     | Mapping[str, Any] = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
-    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] | Sequence[float] = "Longest seam",
     thickness: float | str = 0.0,
     map: Literal[
         "Gaussian map",
@@ -204,7 +204,7 @@ def cut_into_panels(
     | Mapping[str, Any] = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
-    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] | Sequence[float] = "Longest seam",
     max_panels: int = 0,
     darts: bool = True,
     crease_angle: float = 40.0,
@@ -271,7 +271,7 @@ def flatten(
     | Mapping[str, Any] = "Custom",
     allowed_stretch: float = -1.0,
     allowed_compression: float = -1.0,
-    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] = "Longest seam",
+    grain: Literal["Longest seam", "X axis", "Y axis", "Z axis"] | Sequence[float] = "Longest seam",
     gap: float | str = -1.0,
     map: Literal["Edge strain", "Elastic energy", "Stretch", "Compression"] = "Edge strain",
     write_texture_coordinates: bool = False,

@@ -48,11 +48,11 @@ def maps(shaped, flat, faces) -> npt.NDArray[np.float64]:
     return edges_x @ np.linalg.inv(edges_u)
 
 
-def greatest_strains(shaped, flat, faces, axis: int) -> tuple[float, float, float]:
-    """Along the direction of the pattern that runs most nearly along an axis of the model, across it, and at
+def greatest_strains(shaped, flat, faces, grain) -> tuple[float, float, float]:
+    """Along the direction of the pattern that runs most nearly along one on the model, across it, and at
     45 degrees on both sides; per cent."""
     f = maps(shaped, flat, faces)
-    slope = f[:, axis].mean(axis=0)
+    slope = (np.asarray(grain) @ f).mean(axis=0)
     warp = np.arctan2(slope[1], slope[0])
 
     def along(turn: float) -> float:
@@ -62,44 +62,49 @@ def greatest_strains(shaped, flat, faces, axis: int) -> tuple[float, float, floa
     return along(0), along(np.pi / 2), max(along(np.pi / 4), along(-np.pi / 4))
 
 
-@pytest.mark.parametrize("axis", [0, 1])
-def test_each_direction_keeps_its_own_bound(twill, axis):
+@pytest.mark.parametrize("grain", [(1, 0, 0), (0, 1, 0), (1, 2, 0.3)])
+def test_each_direction_keeps_its_own_bound(twill, grain):
     vertices, faces = bump()
-    values = {"material": twill, "grain": "XY"[axis] + " axis"}
+    values = {"material": twill, "grain": grain}
     moved = make_developable(vertices, faces, **values)
     assert moved.report.developable
     flat = flatten(moved.vertices, faces, **values)
-    warp, weft, bias = greatest_strains(moved.vertices, flat.vertices, faces, axis)
+    warp, weft, bias = greatest_strains(moved.vertices, flat.vertices, faces, grain)
     assert warp < STIFF + 0.02
     assert STIFF + 0.1 < weft < SOFT + 0.02  # it uses what it may
     assert bias < BIAS + 0.02
     assert flat.report.max_stretch == pytest.approx(moved.report.max_stretch, abs=0.05)
 
 
-def test_the_command_line_does_as_python_does(twill, bump_file, tmp_path):
-    arguments = ("--material", twill, "--grain", "X axis")
+@pytest.mark.parametrize(
+    ("grain", "written", "of_pattern"), [("X axis", "x axis", "x"), ((1.0, 2.0, 0.3), "1,2,0.3", "1,2,0.3")]
+)
+def test_the_command_line_does_as_python_does(twill, bump_file, tmp_path, grain, written, of_pattern):
+    arguments = ("--material", twill, "--grain", written)
     result = developable("global", bump_file, "-o", tmp_path / "moved.ply", *arguments, "--json")
     assert result.exit_code == 0, result.output
-    expected = make_developable(bump_file, material=twill, grain="X axis")
+    expected = make_developable(bump_file, material=twill, grain=grain)
     printed = json.loads(result.output)
     assert printed["mean_displacement"] == pytest.approx(expected.report.mean_displacement, rel=1e-12)
     assert printed["mean_displacement"] > 0
-    pattern = ("--unit", "cm", "--material", twill, "--grain", "x", "--json", "--format", "dxf")
+    pattern = ("--unit", "cm", "--material", twill, "--grain", of_pattern, "--json", "--format", "dxf")
     result = developable("pattern", tmp_path / "moved.ply", "-o", tmp_path / "out", *pattern)
     assert result.exit_code == 0, result.output
     loose = flatten(expected.vertices, expected.faces)
-    kept = flatten(expected.vertices, expected.faces, material=twill, grain="X axis")
+    kept = flatten(expected.vertices, expected.faces, material=twill, grain=grain)
     strain = json.loads(result.output)["max_edge_strain"]
     assert strain == pytest.approx(kept.report.max_edge_strain, rel=1e-4)
     assert strain != pytest.approx(loose.report.max_edge_strain, rel=1e-2)
 
 
-def test_a_batch_takes_it_for_the_shape_and_for_the_pattern(twill, bump_file, tmp_path):
+@pytest.mark.parametrize("grain", ["X axis", [1.0, 2.0, 0.3]])
+def test_a_batch_takes_it_for_the_shape_and_for_the_pattern(twill, bump_file, tmp_path, grain):
     (tmp_path / "in").mkdir()
     bump_file.rename(tmp_path / "in" / "bump.ply")
     settings = tmp_path / "settings.toml"
     settings.write_text(
-        f'[parameters]\nmaterial = "{twill}"\ngrain = "X axis"\n[patterns]\nunit = "cm"\nformats = ["dxf"]\n'
+        f'[parameters]\nmaterial = "{twill}"\ngrain = {json.dumps(grain)}\n'
+        '[patterns]\nunit = "cm"\nformats = ["dxf"]\n'
     )
     arguments = ("--out", tmp_path / "out", "--parameters", settings, "--workers", 1)
     result = developable("batch", tmp_path / "in", *arguments)
@@ -107,7 +112,7 @@ def test_a_batch_takes_it_for_the_shape_and_for_the_pattern(twill, bump_file, tm
     moved = tmp_path / "out" / "meshes" / "bump.ply"
     written = json.loads((tmp_path / "out" / "patterns" / "bump" / "bump.json").read_text())
     ring = np.array(written["pieces"][0]["sew_lines"][0])
-    kept, loose = (flatten(moved, **values) for values in ({"material": twill, "grain": "X axis"}, {}))
+    kept, loose = (flatten(moved, **values) for values in ({"material": twill, "grain": grain}, {}))
     length = np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1).sum()
     kept_length, loose_length = (boundary_length(flat) for flat in (kept, loose))
     assert abs(length - 10 * kept_length) < 0.1 * abs(length - 10 * loose_length)
@@ -136,6 +141,24 @@ def test_nothing_of_it_is_left_behind(twill, monkeypatch):
     assert moved.report.max_displacement > 0
     assert json.loads(os.environ[materials.OF_THE_USER])["stretch"] == 50
     assert make_developable(vertices, faces).report.max_displacement == 0  # so it stands for Custom
+
+
+def test_a_direction_of_ones_own_is_not_left_behind_and_gives_way_to_a_choice(monkeypatch):
+    vertices, faces = bump()
+    along = {
+        grain: make_developable(vertices, faces, material=TWILL, grain=grain).vertices
+        for grain in ("Longest seam", "X axis", (1, 2, 0.3))
+    }
+    assert materials.GRAIN_OF_THE_USER not in os.environ
+    assert not np.allclose(along["X axis"], along[1, 2, 0.3], atol=1e-4)
+    monkeypatch.setenv(materials.GRAIN_OF_THE_USER, "[2, 4, 0.6]")  # stands for the longest seam
+    for grain, expected in (("Longest seam", along[1, 2, 0.3]), ("X axis", along["X axis"])):
+        moved = make_developable(vertices, faces, material=TWILL, grain=grain)
+        assert moved.vertices == pytest.approx(expected, abs=1e-9)
+    for text in ("no json", "[1, 2]", "[0, 0, 0]", '["x", 0, 0]'):
+        monkeypatch.setenv(materials.GRAIN_OF_THE_USER, text)
+        with pytest.raises(FilterError, match="direction of the grain must be three numbers"):
+            make_developable(vertices, faces, material=TWILL)
 
 
 def test_what_the_variable_holds_is_refused_where_it_is_no_material(monkeypatch):

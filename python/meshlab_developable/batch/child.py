@@ -90,9 +90,9 @@ def _pattern_notes(request: dict[str, Any]) -> tuple[str, ...]:
 
     kept = ("patches", "weld_distance", "material", "allowed_stretch", "allowed_compression")
     parts = {key: value for key, value in request["parameters"].items() if key in kept}
-    axis = materials.GRAIN_AXES.get(request["parameters"].get("grain"))
-    if axis is not None:
-        parts["grain"] = axis
+    direction = materials.grain_direction(request["parameters"])
+    if direction is not None:
+        parts["grain"] = direction
     target, folder = Path(request["target"]), Path(request["pattern"])
     try:
         return make_patterns(target, folder=folder, name=folder.name, **parts | request["patterns"]).notes

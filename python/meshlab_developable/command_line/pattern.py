@@ -15,6 +15,7 @@ from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import CUT, FLATTEN
 from meshlab_developable.materials import grain_along
 from meshlab_developable.mesh_sets import Array, IndexArray
+from meshlab_developable.parameters import converted
 from meshlab_developable.patterns.options import (
     COPIES,
     FORMATS,
@@ -106,7 +107,7 @@ def _developed_panels(mesh: Path, parameters: dict[str, Any]) -> tuple[Array, In
     for name in of_cut.keys() - set(OF_MATERIAL):  # panels are apart now, and none is left out
         del parameters[name]
     if "grain" in of_cut:
-        of_cut["grain"] = grain_along(of_cut["grain"], of_cut.get("material", "Custom"))
+        of_cut["grain"] = converted("grain", of_cut["grain"], grain_along)
     vertices, faces, _ = developed_panels(mesh, **of_cut)
     millimetres = PatternOptions(unit=parameters["unit"]).millimetres
     parameters.setdefault("seam_tolerance", millimetres * seam_tolerance(vertices, faces))

@@ -19,7 +19,7 @@ from click.shell_completion import CompletionItem
 from meshlab_developable.errors import DevelopableError, InvalidParameterError, LostFacesWarning
 from meshlab_developable.filters import Filter
 from meshlab_developable.names import printable
-from meshlab_developable.parameters import Boolean, Choice, Kind, Length, Number, Parameter
+from meshlab_developable.parameters import Boolean, Choice, Grain, Kind, Length, Number, Parameter
 
 
 class Exit(enum.IntEnum):
@@ -64,7 +64,8 @@ class Value(click.ParamType[Any]):
 
     def get_metavar(self, param: click.Parameter, ctx: click.Context) -> str | None:
         """The texts of a choice."""
-        return f"[{'|'.join(self.kind.texts)}]" if isinstance(self.kind, Choice) else None
+        others = ("X,Y,Z",) if isinstance(self.kind, Grain) else ()
+        return f"[{'|'.join(self.kind.texts + others)}]" if isinstance(self.kind, Choice) else None
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str

@@ -82,7 +82,7 @@ def make_patterns(
     given.setdefault("max_strain", max(PatternOptions.max_strain, borne))
     options = PatternOptions(**given)
     if options.grain is not None:
-        parameters["grain"] = materials.grain_along(options.grain, parameters.get("material", "Custom"))
+        parameters["grain"] = materials.grain_along(options.grain)
     flat = flatten(vertices, faces, **parameters)
     wide = wide_overlaps(flat, options.millimetres)
     if not wide or parameters.get("only_selected") is not None:

@@ -8,7 +8,8 @@
 namespace developable::test {
 namespace {
 
-FlatPatterns within(const TriangleMesh& mesh, const StrainBounds& bounds, Grain grain = Grain::LongestSeam) {
+FlatPatterns within(const TriangleMesh& mesh, const StrainBounds& bounds,
+					const Grain& grain = Grain::LongestSeam) {
 	FlattenOptions options;
 	options.bounds = bounds;
 	options.grain = grain;
@@ -64,7 +65,7 @@ TEST(BoundedLayout, GrainAlongAnAxisTurnsWithIt) {
 	bounds.directed = true;
 	bounds.warp = {0.3 * free.report.maxStretch, 0.9};
 	double energies[2];
-	for (const Grain grain : {Grain::XAxis, Grain::YAxis}) {
+	for (const Grain::Choice grain : {Grain::XAxis, Grain::YAxis}) {
 		const FlatPatterns patterns = within(mesh, bounds, grain);
 		EXPECT_LT(patterns.report.beyondBounds, 1e-4);
 		const Eigen::Matrix3Xi& triangles = patterns.triangles;

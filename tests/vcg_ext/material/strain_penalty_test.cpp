@@ -144,6 +144,46 @@ TEST(StrainPenalty, IsInfiniteWhereThePatternIsFlipped) {
 	EXPECT_TRUE(std::isinf(penalty.value(triangle.shaped, flipped)));
 }
 
+TEST(RoundedPenalty, SlopesAreTheDerivativesOfItsValue) {
+	const RoundedPenalty penalty = {3, 0.02};
+	constexpr double step = 1e-6;
+	for (const double c : {-1.0, -0.03, -1e-9, 0.0, 1e-3, 0.5}) {
+		EXPECT_NEAR(penalty.first(c), (penalty.value(c + step) - penalty.value(c - step)) / (2 * step), 1e-8);
+		EXPECT_NEAR(penalty.second(c), (penalty.first(c + step) - penalty.first(c - step)) / (2 * step),
+					1e-7);
+	}
+	EXPECT_EQ(penalty.value(0), 0);
+}
+
+TEST(Hardening, HardensInProportionAndSharpensWithoutHardening) {
+	StrainPenalty penalty(StrainedTriangles(), StrainBounds::isotropic(0.01, 0.01), 0);
+	Hardening hardening(penalty);
+	double stiffness = penalty.edge().stiffness, width = penalty.edge().width,
+		   cost = hardening.costOfRounding();
+	EXPECT_TRUE(hardening.harden());
+	EXPECT_NEAR(penalty.edge().stiffness, 4 * stiffness, 1e-12);
+	EXPECT_LT(penalty.edge().width, width);
+	EXPECT_LT(hardening.costOfRounding(), cost);
+	stiffness = penalty.edge().stiffness, width = penalty.edge().width, cost = hardening.costOfRounding();
+	hardening.sharpen();
+	EXPECT_EQ(penalty.edge().stiffness, stiffness);
+	EXPECT_NEAR(penalty.edge().width, width / 2, 1e-15);
+	EXPECT_NEAR(hardening.costOfRounding(), cost / 4, 1e-15);
+	hardening.soften(); // to where it began
+	EXPECT_NEAR(penalty.edge().width, 0.02, 1e-15);
+	while (hardening.harden())
+		EXPECT_LT(penalty.edge().stiffness, 1e9);
+}
+
+TEST(Grain, IsAChoiceOrADirectionOfAnyLength) {
+	EXPECT_TRUE(Grain(Grain::LongestSeam).alongSeam());
+	EXPECT_EQ(Grain(Grain::YAxis), Grain(Eigen::Vector3d(0, 1e-200, 0)));
+	EXPECT_NEAR(Grain(Eigen::Vector3d(3, 0, -4e3)).direction().norm(), 1, 1e-15);
+	EXPECT_THROW(Grain(Eigen::Vector3d::Zero()), InvalidParameter);
+	EXPECT_THROW(Grain(Eigen::Vector3d(1, std::nan(""), 0)), InvalidParameter);
+	EXPECT_THROW(Grain(Eigen::Vector3d(1.0 / 0.0, 0, 0)), InvalidParameter);
+}
+
 TEST(StrainBounds, BadOnesAreRefused) {
 	for (const double bad : {-0.01, 11.0, std::nan(""), 1.0 / 0.0})
 		EXPECT_THROW(requireValid(StrainBounds::isotropic(bad, 0)), InvalidParameter) << bad;

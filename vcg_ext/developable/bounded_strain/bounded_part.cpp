@@ -100,13 +100,12 @@ Status statusOf(BoundedEnding ending, const PatchAssembly& part) {
 /// \param onlyWithin  see FlattenOptions
 bool measure(const PatchAssembly& part, const BoundedStrainOptions& options, bool onlyWithin,
 			 const Progress& progress, BoundedOutcome& outcome) {
-	const FlatPatterns patterns =
-		flattenPatches(part, outcome.positions, flattening(options, onlyWithin), progress);
-	if (patterns.report.stopped) {
+	outcome.patterns = flattenPatches(part, outcome.positions, flattening(options, onlyWithin), progress);
+	if (outcome.patterns.report.stopped) {
 		outcome.status = Status::Stopped;
 		return false;
 	}
-	outcome.beyondBounds = beyondBounds(part, outcome.positions, patterns);
+	outcome.beyondBounds = beyondBounds(part, outcome.positions, outcome.patterns);
 	return true;
 }
 

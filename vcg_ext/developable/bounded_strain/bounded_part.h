@@ -11,6 +11,7 @@ struct BoundedOutcome {
 	Status status = Status::NothingToDo;
 	int iterations = 0;
 	Positions positions;
+	FlatPatterns patterns;         ///< of the positions
 	Eigen::VectorXd beyondBounds;  ///< per triangle, as strain
 	double nearestDevelopable = 0; ///< see OptimizationReport
 };

@@ -14,7 +14,8 @@ constexpr double elasticity = 1e-4;      // γ: too little to be seen in the sha
 constexpr double slow = 0.9;             // decrease of φ that a step must promise, or the bounds harden
 constexpr double settledDecrease = 0.02; // of φ, and of the distance: less means that the nearest is found
 constexpr double settledDistance = 0.005;
-constexpr int patience = 8; // steps that were no good
+constexpr int patience = 8;                 // steps that were no good
+constexpr double smallCostOfRounding = 0.1; // as a share of the distance in φ: half as much of its root
 
 /// The edge of the bending bound sharpens with those of strains, of which it is a multiple.
 double bendingWidth(const RoundedPenalty& edge) {
@@ -58,12 +59,12 @@ BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patter
 BoundedEnding BoundedRun::run() {
 	Hardening hardening(penalty_, firstStiffness_);
 	const double startViolation = violation();
-	double distance = 0;
+	double distance = 0, beyond = startViolation;
 	std::vector<double> violations; // before each hardening
 	for (int idle = 0; idle < patience;) {
 		if (iterations_ >= options_.maxIterations)
 			return BoundedEnding::OutOfSteps;
-		if (!mayGoOn(startViolation))
+		if (!mayGoOn(startViolation, beyond))
 			return BoundedEnding::Stopped;
 		++iterations_;
 		bending_.harden(bendingWidth(penalty_.edge()));
@@ -71,30 +72,34 @@ BoundedEnding BoundedRun::run() {
 		if (!steps_.solvable())
 			return BoundedEnding::Stuck;
 		const double before = distance;
-		distance = steps_.squaredDistance(unknowns_.shape);
-		const bool settled =
-			decrease < settledDecrease && std::abs(distance - before) <= settledDistance * distance;
-		if (settled && violation() <= options_.tolerance)
+		distance = steps_.distanceCost(unknowns_.shape);
+		beyond = violation();
+		const bool within = beyond <= options_.tolerance,
+				   sharp = hardening.costOfRounding() <= smallCostOfRounding * distance,
+				   settled = decrease < settledDecrease &&
+							 std::abs(distance - before) <= settledDistance * distance;
+		if (settled && within && sharp)
 			return BoundedEnding::Within;
 		if (decrease == 0) {
 			hardening.soften();
 			violations.clear();
 			++idle;
+		} else if (decrease < slow && within && !sharp) {
+			hardening.sharpen();
 		} else if (decrease < slow) {
-			violations.push_back(violation());
+			violations.push_back(beyond);
 			if (hopeless(violations) || (!hardening.harden() && settled))
 				return BoundedEnding::Stuck;
 		}
 	}
-	return violation() <= options_.tolerance ? BoundedEnding::Within : BoundedEnding::Stuck;
+	return beyond <= options_.tolerance ? BoundedEnding::Within : BoundedEnding::Stuck;
 }
 
 double BoundedRun::violation() const {
 	return penalty_.greatestViolation(unknowns_.shape, unknowns_.pattern);
 }
 
-bool BoundedRun::mayGoOn(double startViolation) const {
-	const double left = violation();
+bool BoundedRun::mayGoOn(double startViolation, double left) const {
 	char text[120];
 	std::snprintf(text, sizeof text, "%d steps: strains are at most %.3g %% beyond their bounds", iterations_,
 				  100 * left);

@@ -25,7 +25,7 @@ public:
 
 private:
 	double violation() const;
-	bool mayGoOn(double startViolation) const;
+	bool mayGoOn(double startViolation, double left) const;
 
 	const BoundedStrainOptions& options_;
 	const Progress& progress_;

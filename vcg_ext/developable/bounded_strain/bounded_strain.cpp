@@ -96,7 +96,7 @@ BoundedStrainReport boundedStrain(const PatchAssembly& assembly, Positions& posi
 	requireFreePlaces(assembly);
 	requireOpenPatches(assembly);
 	const std::vector<AssemblyPart> parts = partsOf(assembly);
-	const std::vector<BoundedOutcome> outcomes = solveParts(parts, positions, options, neverBack(progress));
+	std::vector<BoundedOutcome> outcomes = solveParts(parts, positions, options, neverBack(progress));
 	BoundedStrainReport report;
 	report.status = worstOf(outcomes);
 	for (const BoundedOutcome& outcome : outcomes)
@@ -113,6 +113,8 @@ BoundedStrainReport boundedStrain(const PatchAssembly& assembly, Positions& posi
 	}
 	if (converged(report.status))
 		report.worstPosition = {};
+	if (outcomes.size() == 1) // whose numbering is that of the whole
+		report.patterns = std::move(outcomes.front().patterns);
 	return report;
 }
 

@@ -19,7 +19,7 @@ struct BoundedStrainOptions {
 	/// strains within the bounds let it.
 	double leastRadius = 0;
 	int maxIterations = 200;  ///< steps, each with one linear system
-	double tolerance = 5e-5;  ///< by how much a strain may be beyond its bound
+	double tolerance = 2e-5;  ///< by how much a strain may be beyond its bound: less than in layouts
 	bool searchBeyond = true; ///< for OptimizationReport::nearestDevelopable, where none was found within
 							  ///< maxDisplacement
 	int threads = 0;          ///< on which parts are solved side by side; 0: as many as can work
@@ -27,6 +27,8 @@ struct BoundedStrainOptions {
 
 struct BoundedStrainReport : OptimizationReport {
 	double beyondBounds = 0; ///< by how much a strain is beyond its bound, at most
+	/// Of the result, as flattenPatches makes them of it, where the object is one part; else without pieces.
+	FlatPatterns patterns;
 };
 
 /// Moves the places to the shape nearest to the original ones, in the metric of the constrained Newton

@@ -38,7 +38,7 @@ double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
 }
 
 double ShapeAndPatternSteps::value(const ShapeAndPattern& unknowns) const {
-	return squaredDistance(unknowns.shape) / (2 * area_) + bound_.value(penalty_.edge(), unknowns.shape) +
+	return distanceCost(unknowns.shape) + bound_.value(penalty_.edge(), unknowns.shape) +
 		   bending_.value(unknowns.shape) + penalty_.value(unknowns.shape, unknowns.pattern);
 }
 
@@ -89,7 +89,8 @@ Eigen::VectorXd ShapeAndPatternSteps::direction(const ShapeAndPattern& unknowns,
 	for (int place = 0; place < assembly_.placeCount(); ++place)
 		if (assembly_.placeFixed[place])
 			slopes.middleRows<3>(3 * place).setZero();
-	return heldDirection([&](const Eigen::VectorXd& v) { return whole_.solve(v); }, gradient, slopes);
+	return heldDirection([&](const Eigen::VectorXd& v) { return whole_.factorization.solve(v); }, gradient,
+						 slopes);
 }
 
 void ShapeAndPatternSteps::addMetric(const Positions& shape, Eigen::VectorXd& gradient,
@@ -155,13 +156,10 @@ void ShapeAndPatternSteps::addBorder(const Eigen::Matrix2Xd& pattern, int first,
 	}
 }
 
-bool ShapeAndPatternSteps::factorize(SparseCholesky& factorization, int size, Entries& entries,
-									 int firstOfPattern) const {
+bool ShapeAndPatternSteps::factorize(System& system, int size, Entries& entries, int firstOfPattern) const {
 	for (int i = firstOfPattern; i < size; ++i)
 		entries.emplace_back(i, i, rigidMotion / area_);
-	SparseMatrix lower(size, size);
-	lower.setFromTriplets(entries.begin(), entries.end());
-	return factorization.factorize(lower);
+	return system.factorization.factorize(system.matrix.of(entries, size));
 }
 
 void ShapeAndPatternSteps::settle(ShapeAndPattern& unknowns) {
@@ -191,7 +189,7 @@ bool ShapeAndPatternSteps::settleOnce(ShapeAndPattern& unknowns, double& value) 
 	if (!factorize(pattern_, size, entries, 0))
 		return false;
 	const Eigen::VectorXd direction =
-		heldDirection([&](const Eigen::VectorXd& v) { return pattern_.solve(v); }, gradient,
+		heldDirection([&](const Eigen::VectorXd& v) { return pattern_.factorization.solve(v); }, gradient,
 					  grain_.slopes(unknowns.shape, unknowns.pattern, false));
 	const double slope = gradient.dot(direction);
 	double length = 1;

@@ -35,11 +35,20 @@ public:
 	/// ‖x − x*‖²_W, length².
 	double squaredDistance(const Positions& shape) const;
 
+	/// ½‖x − x*‖²_W / A.
+	double distanceCost(const Positions& shape) const { return squaredDistance(shape) / (2 * area_); }
+
 	/// Whether the last step's system could be solved.
 	bool solvable() const { return solvable_; }
 
 private:
-	using Entries = std::vector<Eigen::Triplet<double>>;
+	using Entries = RepeatedSum::Entries;
+
+	/// Linear systems of one pattern.
+	struct System {
+		RepeatedSum matrix;
+		SparseCholesky factorization;
+	};
 
 	double value(const ShapeAndPattern& unknowns) const;
 	Eigen::VectorXd direction(const ShapeAndPattern& unknowns, Eigen::VectorXd& gradient);
@@ -49,7 +58,7 @@ private:
 					Entries& entries) const;
 	void addBorder(const Eigen::Matrix2Xd& pattern, int first, Eigen::VectorXd& gradient,
 				   Entries& entries) const;
-	bool factorize(SparseCholesky& factorization, int size, Entries& entries, int firstOfPattern) const;
+	bool factorize(System& system, int size, Entries& entries, int firstOfPattern) const;
 
 	/// Lowers Ψ by moving the pattern alone.
 	void settle(ShapeAndPattern& unknowns);
@@ -63,7 +72,7 @@ private:
 	const HeldGrain& grain_;
 	const TriangleOrder order_;
 	const double area_;
-	SparseCholesky whole_, pattern_;
+	System whole_, pattern_;
 	double lastLength_ = 1; // of a step: the next one is not tried at more than four times that
 	bool solvable_ = true;
 };

@@ -26,7 +26,7 @@ StrainedTriangles trianglesOf(const PanelMesh& panel) {
 class BoundedLayout {
 public:
 	BoundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
-				  Grain grain, const std::array<int, 2>& longestSide)
+				  const Grain& grain, const std::array<int, 2>& longestSide)
 		: panel_(panel), springs_(panel), penalty_(trianglesOf(panel), bounds, 0), scale_(springs_.scale()),
 		  hessian_(springs_.hessianPattern()), positions_(start) {
 		penalty_.watchBorder(start);
@@ -142,7 +142,7 @@ private:
 } // namespace
 
 PlanePositions boundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
-							 Grain grain, const std::array<int, 2>& longestSide, bool onlyWithin) {
+							 const Grain& grain, const std::array<int, 2>& longestSide, bool onlyWithin) {
 	if (countFlipped(panel.triangles, start) > 0)
 		return start;
 	return BoundedLayout(panel, start, bounds, grain, longestSide).solve(onlyWithin);

@@ -12,6 +12,6 @@ namespace developable::detail {
 /// \param longestSide  vertices of the panel; see grainDirection
 /// \param onlyWithin   whether to give up where no layout within the bounds can be hoped for
 PlanePositions boundedLayout(const PanelMesh& panel, const PlanePositions& start, const StrainBounds& bounds,
-							 Grain grain, const std::array<int, 2>& longestSide, bool onlyWithin);
+							 const Grain& grain, const std::array<int, 2>& longestSide, bool onlyWithin);
 
 } // namespace developable::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// grain_directions.cpp: the grain along a side, or along an axis of the model as it comes to lie in the
+// grain_directions.cpp: the grain along a side, or along a direction of the model as it comes to lie in the
 // plane.
 #include "grain_directions.h"
 
@@ -17,14 +17,14 @@ double angleOf(const Eigen::Vector2d& direction) {
 	return std::atan2(direction[1], direction[0]);
 }
 
-/// Where an axis of the model points in the plane, on the mean over the area: Σ w Fᵀa.
-Eigen::Vector2d axisInPlane(const StrainedTriangles& triangles, const Positions& shaped,
-							const Eigen::Matrix2Xd& flat, int axis) {
+/// Where a direction of the model points in the plane, on the mean over the area: Σ w Fᵀa.
+Eigen::Vector2d directionInPlane(const StrainedTriangles& triangles, const Positions& shaped,
+								 const Eigen::Matrix2Xd& flat, const Eigen::Vector3d& direction) {
 	Eigen::Vector2d sum = Eigen::Vector2d::Zero();
 	for (int t = 0; t < triangles.count(); ++t) {
 		const TriangleStrain strain(shaped(Eigen::all, triangles.shaped.col(t)),
 									flat(Eigen::all, triangles.flat.col(t)));
-		sum += triangles.weights[t] * strain.map.row(axis).transpose();
+		sum += triangles.weights[t] * strain.map.transpose() * direction;
 	}
 	return sum;
 }
@@ -52,9 +52,10 @@ Eigen::Vector2d principalDirection(const Eigen::Matrix2Xd& points) {
 }
 
 double grainDirection(const StrainedTriangles& triangles, const Positions& shaped,
-					  const Eigen::Matrix2Xd& flat, Grain grain, const std::array<int, 2>& longestSide) {
-	if (grain != Grain::LongestSeam)
-		return angleOf(axisInPlane(triangles, shaped, flat, static_cast<int>(grain) - 1));
+					  const Eigen::Matrix2Xd& flat, const Grain& grain,
+					  const std::array<int, 2>& longestSide) {
+	if (!grain.alongSeam())
+		return angleOf(directionInPlane(triangles, shaped, flat, grain.direction()));
 	if (longestSide[0] >= 0)
 		return angleOf(flat.col(longestSide[1]) - flat.col(longestSide[0]));
 	const std::vector<int> corners(triangles.flat.reshaped().begin(), triangles.flat.reshaped().end());

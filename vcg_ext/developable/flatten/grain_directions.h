@@ -17,7 +17,8 @@ Eigen::Vector2d principalDirection(const Eigen::Matrix2Xd& points);
 /// \param triangles    of the piece
 /// \param longestSide  the ends of its longest seam or side among the columns of `flat`; -1: it has none
 double grainDirection(const StrainedTriangles& triangles, const Positions& shaped,
-					  const Eigen::Matrix2Xd& flat, Grain grain, const std::array<int, 2>& longestSide);
+					  const Eigen::Matrix2Xd& flat, const Grain& grain,
+					  const std::array<int, 2>& longestSide);
 
 /// The triangles of a model and of its patterns, turned round where they run clockwise in the plane, with the
 /// grain where the patterns' bounds are directed. Weights are shares of the model's area.

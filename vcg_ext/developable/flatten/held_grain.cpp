@@ -34,18 +34,18 @@ struct Slopes {
 	/// Of Σ w Fᵀa, F = X U⁻¹ with the edges X of the shape and U of the pattern: d(Fᵀa) = U⁻ᵀ (dXᵀa − dUᵀ
 	/// Fᵀa).
 	void addAxis(const StrainedTriangles& triangles, const Positions& shaped, const Eigen::Matrix2Xd& flat,
-				 int axis, double angle) {
+				 const Eigen::Vector3d& axis, double angle) {
 		const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
 		double length = 0;
 		for (int t = 0; t < triangles.count(); ++t) {
 			const TriangleStrain strain = strainOf(triangles, shaped, flat, t);
-			const Eigen::Vector2d image = strain.map.row(axis).transpose();
+			const Eigen::Vector2d image = strain.map.transpose() * axis;
 			length += triangles.weights[t] * image.dot(Eigen::Vector2d(across[1], -across[0]));
 			const Eigen::Vector2d byEdges = triangles.weights[t] * strain.inverseFlatEdges * across;
 			for (const int edge : {1, 2})
 				for (const int end : {0, edge}) {
 					const double sign = end == 0 ? -1 : 1;
-					byShape(axis, triangles.shaped(end, t)) += sign * byEdges[edge - 1];
+					byShape.col(triangles.shaped(end, t)) += sign * byEdges[edge - 1] * axis;
 					byPattern.col(triangles.flat(end, t)) -= sign * byEdges[edge - 1] * image;
 				}
 		}
@@ -78,7 +78,7 @@ private:
 
 } // namespace
 
-HeldGrain::HeldGrain(std::vector<Piece> pieces, Grain grain, const Positions& shaped,
+HeldGrain::HeldGrain(std::vector<Piece> pieces, const Grain& grain, const Positions& shaped,
 					 const Eigen::Matrix2Xd& flat)
 	: pieces_(std::move(pieces)), grain_(grain) {
 	for (const Piece& piece : pieces_) {
@@ -107,8 +107,8 @@ Eigen::MatrixXd HeldGrain::slopes(const Positions& shaped, const Eigen::Matrix2X
 	Eigen::MatrixXd result(before + flat.size(), pieces_.size());
 	for (std::size_t i = 0; i < pieces_.size(); ++i) {
 		Slopes slopes{Eigen::Matrix2Xd::Zero(2, flat.cols()), Positions::Zero(3, shaped.cols())};
-		if (grain_ != Grain::LongestSeam)
-			slopes.addAxis(pieces_[i].triangles, shaped, flat, static_cast<int>(grain_) - 1, angles_[i]);
+		if (!grain_.alongSeam())
+			slopes.addAxis(pieces_[i].triangles, shaped, flat, grain_.direction(), angles_[i]);
 		else if (pieces_[i].longestSide[0] >= 0)
 			slopes.addChord(flat, pieces_[i].longestSide);
 		else

@@ -23,7 +23,8 @@ public:
 	HeldGrain() = default;
 
 	/// \param shaped, flat  where the grain is taken from
-	HeldGrain(std::vector<Piece> pieces, Grain grain, const Positions& shaped, const Eigen::Matrix2Xd& flat);
+	HeldGrain(std::vector<Piece> pieces, const Grain& grain, const Positions& shaped,
+			  const Eigen::Matrix2Xd& flat);
 
 	/// Per piece, rad.
 	const std::vector<double>& angles() const { return angles_; }

@@ -46,7 +46,7 @@ bool PatternMaker::flattenPanels(int iterations, bool leastSquares, int threads,
 						[](const FlatPanel& flat) { return flat.minimum.stopped; });
 }
 
-void PatternMaker::keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin, int threads) {
+void PatternMaker::keepWithin(const StrainBounds& bounds, const Grain& grain, bool onlyWithin, int threads) {
 	patterns_.bounds = bounds;
 	patterns_.grain = grain;
 	if (!bounds.any())

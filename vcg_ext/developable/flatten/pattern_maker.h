@@ -25,7 +25,7 @@ public:
 	bool flattenPanels(int iterations, bool leastSquares, int threads, const Progress& progress);
 
 	/// After the panels are flat: brings their triangles within the bounds, if there are any.
-	void keepWithin(const StrainBounds& bounds, Grain grain, bool onlyWithin, int threads);
+	void keepWithin(const StrainBounds& bounds, const Grain& grain, bool onlyWithin, int threads);
 
 	/// Once, after the panels are flat.
 	/// \param gap  see FlattenOptions

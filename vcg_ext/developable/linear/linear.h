@@ -5,5 +5,6 @@
 
 #include "conjugate_gradients.h"
 #include "memory.h"
+#include "repeated_sum.h"
 #include "sparse_cholesky.h"
 #include "sparse_solver.h"

@@ -38,20 +38,33 @@ public:
 		return true;
 	}
 
-	/// After a step that was no good: bounds that were hardened too soon.
-	void soften() {
-		stiffness_ = std::max(stiffness_ / (factor * factor), first_);
+	/// Narrower edges of bounds that are as hard already.
+	void sharpen() {
+		sharpness_ *= 2;
 		apply();
 	}
 
-private:
-	static constexpr double hardest = 1e5, factor = 4, softWidth = 0.02;
+	/// After a step that was no good: bounds that were hardened too soon.
+	void soften() {
+		stiffness_ = std::max(stiffness_ / (factor * factor), first_);
+		sharpness_ = std::max(sharpness_ / (factor * factor), 1.0);
+		apply();
+	}
 
-	void apply() { penalty_.harden(stiffness_, softWidth * std::pow(0.1 / stiffness_, 0.6)); }
+	/// κ δ²: by how much the cost of the best shape may be above its least as bounds are felt before they are
+	/// reached. For c ≪ −δ the slope of p is κ δ² / (4 |c|), that of a logarithmic barrier, and each triangle
+	/// has four bounds.
+	double costOfRounding() const { return stiffness_ * penalty_.edge().width * penalty_.edge().width; }
+
+private:
+	static constexpr double hardest = 1e7, factor = 4, softWidth = 0.02;
+
+	void apply() { penalty_.harden(stiffness_, softWidth * std::pow(0.1 / stiffness_, 0.6) / sharpness_); }
 
 	StrainPenalty& penalty_;
 	const double first_;
 	double stiffness_;
+	double sharpness_ = 1;
 };
 
 } // namespace developable

@@ -7,6 +7,7 @@
 
 #include "bending_radius.h"
 #include "border_fans.h"
+#include "grain.h"
 #include "hardening.h"
 #include "rounded_penalty.h"
 #include "strain_bounds.h"

@@ -13,7 +13,9 @@ struct RoundedPenalty {
 	double width = 1e-3;  ///< δ, in the unit of c
 
 	double value(double c) const {
-		return stiffness / 4 * (c * (c + root(c)) + width * width * std::asinh(c / width));
+		const double rounded = root(c), size = std::abs(c);
+		const double areaOfEdge = std::copysign(std::log((size + rounded) / width), c); // arsinh c / δ
+		return stiffness / 4 * (c * (c + rounded) + width * width * areaOfEdge);
 	}
 	double first(double c) const { return stiffness / 2 * (c + root(c)); }
 	double second(double c) const { return stiffness / 2 * (1 + c / root(c)); }

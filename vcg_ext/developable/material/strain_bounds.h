@@ -32,14 +32,6 @@ struct StrainBounds {
 	bool any() const;
 };
 
-/// Which way the warp runs in each panel. The numbers are part of the interface.
-enum class Grain {
-	LongestSeam = 0, ///< along the panel's longest seam, or its longest side where it has none
-	XAxis = 1,       ///< as nearly along that axis of the model as can be, on the mean over the panel
-	YAxis = 2,
-	ZAxis = 3
-};
-
 /// \throws InvalidParameter  when a bound is negative or not a number, a stretch above 10 (a thousand per
 ///                           cent), or a compression 1 (a hundred per cent) or above
 void requireValid(const StrainBounds& bounds);

@@ -87,18 +87,20 @@ StrainPenalty::Directions StrainPenalty::directions(int triangle, const Triangle
 	return result;
 }
 
+double StrainPenalty::cost(const Direction& direction, double strain) const {
+	const double elastic = direction.elasticity * strain * strain / 2;
+	return direction.bounded
+			   ? elastic + edge_.value(strain - direction.greatest) + edge_.value(direction.least - strain)
+			   : elastic;
+}
+
 StrainPenalty::Slope StrainPenalty::slope(const Direction& direction, double strain) const {
-	Slope slope = {direction.elasticity * strain * strain / 2, direction.elasticity * strain,
-				   direction.elasticity};
-	if (!direction.bounded)
-		return slope;
-	const auto add = [&](double c, double sign) {
-		slope.value += edge_.value(c);
-		slope.first += sign * edge_.first(c);
-		slope.second += edge_.second(c);
-	};
-	add(strain - direction.greatest, 1);
-	add(direction.least - strain, -1);
+	Slope slope = {direction.elasticity * strain, direction.elasticity};
+	if (direction.bounded) {
+		const double above = strain - direction.greatest, below = direction.least - strain;
+		slope.first += edge_.first(above) - edge_.first(below);
+		slope.second += edge_.second(above) + edge_.second(below);
+	}
 	return slope;
 }
 
@@ -109,8 +111,8 @@ double StrainPenalty::value(const Positions& shaped, const Eigen::Matrix2Xd& fla
 		if (!(triangle.flatArea > 0) || !(triangle.least > 0))
 			return std::numeric_limits<double>::infinity();
 		for (const Direction& direction : directions(t, triangle))
-			sum += triangles_.weights[t] *
-				   slope(direction, std::log((triangle.map * direction.vector).norm())).value;
+			sum +=
+				triangles_.weights[t] * cost(direction, std::log((triangle.map * direction.vector).norm()));
 	}
 	return sum;
 }
@@ -134,7 +136,8 @@ StrainPenalty::Derivatives<size> StrainPenalty::derivatives(int t, const Positio
 	using Row = Eigen::Matrix<double, size, 1>;
 	Derivatives<size> element;
 	const auto add = [&](const Row& row, double second) {
-		element.hessian.template selfadjointView<Eigen::Lower>().rankUpdate(row, second);
+		const Row scaled = second * row;
+		element.hessian.noalias() += scaled * row.transpose(); // for so few rows faster than a half of it
 	};
 	const Directions all = directions(t, triangle);
 	if (!bounds_.directed) {

@@ -39,7 +39,7 @@ public:
 	template <int size>
 	struct Derivatives {
 		Eigen::Matrix<double, size, 1> gradient = Eigen::Matrix<double, size, 1>::Zero();
-		Eigen::Matrix<double, size, size> hessian = Eigen::Matrix<double, size, size>::Zero(); ///< lower half
+		Eigen::Matrix<double, size, size> hessian = Eigen::Matrix<double, size, size>::Zero();
 	};
 	/// By the nine coordinates of the shape's corners, then by the six of the pattern's.
 	using Element = Derivatives<15>;
@@ -101,13 +101,14 @@ private:
 		const Direction* end() const { return items + count; }
 	};
 	struct Slope {
-		double value, first, second; // of the cost by e
+		double first, second; // of the cost by e
 	};
 
 	template <int size>
 	Derivatives<size> derivatives(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 	TriangleStrain strain(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 	Directions directions(int triangle, const TriangleStrain& strain) const;
+	double cost(const Direction& direction, double strain) const;
 	Slope slope(const Direction& direction, double strain) const;
 
 	StrainedTriangles triangles_;

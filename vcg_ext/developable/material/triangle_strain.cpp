@@ -6,6 +6,22 @@
 
 namespace developable {
 
+namespace {
+
+/// The direction at half the angle of (cosine, sine), with a first coordinate that is not negative. Without
+/// the angle itself: this is worked out for every triangle, many times.
+Eigen::Vector2d halfWayTo(double cosine, double sine) {
+	const double length = std::sqrt(cosine * cosine + sine * sine);
+	if (!(length > 0 && std::isfinite(length)))
+		return {1, 0};
+	const double larger = std::sqrt((length + std::abs(cosine)) / (2 * length)),
+				 smaller = sine / (2 * length * larger);
+	return cosine >= 0 ? Eigen::Vector2d(larger, smaller)
+					   : Eigen::Vector2d(std::abs(smaller), std::copysign(larger, sine));
+}
+
+} // namespace
+
 TriangleStrain::TriangleStrain(const Eigen::Matrix3d& shaped, const Eigen::Matrix<double, 2, 3>& flat) {
 	Eigen::Matrix<double, 3, 2> shapedEdges;
 	shapedEdges << shaped.col(1) - shaped.col(0), shaped.col(2) - shaped.col(0);
@@ -17,8 +33,7 @@ TriangleStrain::TriangleStrain(const Eigen::Matrix3d& shaped, const Eigen::Matri
 	// FᵀF = R diag(σ1², σ2²) Rᵀ, with R the rotation by half the angle of (difference, shear).
 	const double difference = (map.col(0).squaredNorm() - map.col(1).squaredNorm()) / 2;
 	const double shear = map.col(0).dot(map.col(1));
-	const double angle = std::atan2(shear, difference) / 2;
-	greatestDirection << std::cos(angle), std::sin(angle);
+	greatestDirection = halfWayTo(difference, shear);
 	const Eigen::Vector2d leastDirection(-greatestDirection[1], greatestDirection[0]);
 	greatest = (map * greatestDirection).norm();
 	least = (map * leastDirection).norm();
