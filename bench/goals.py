@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 from common import print_head, print_row, said, write_off
-from meshlab_developable import flatten, make_developable
+from meshlab_developable import flatten, make_developable, measure
 from models import SHEETS, load
 from scipy.spatial import cKDTree
 
@@ -34,7 +34,7 @@ Faces = npt.NDArray[np.int32]
 
 
 def run(executable: str, method: str, mesh: Path, threads: int = 0) -> tuple[float, float, float]:
-    """Seconds, megabytes and the total absolute curvature that is left; 0 threads: as many as there are."""
+    """Seconds, megabytes and the curvature that is left, rad; 0 threads: as many as there are."""
     if threads:
         os.environ["OMP_NUM_THREADS"] = str(threads)
     after = mesh.with_name("after.off")
@@ -42,7 +42,7 @@ def run(executable: str, method: str, mesh: Path, threads: int = 0) -> tuple[flo
         seconds, megabytes, _ = said(executable, "run", method, mesh, after).split(" ", 2)
     finally:
         os.environ.pop("OMP_NUM_THREADS", None)
-    return float(seconds), float(megabytes), float(said(executable, "measure", mesh, after).split()[2])
+    return float(seconds), float(megabytes), measure(after).measures.total_absolute_curvature
 
 
 def quartered(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
