@@ -16,6 +16,9 @@ namespace {
 /// Where memory does not do for a factorisation: solutions are part of an operator, and have to be exact.
 constexpr Iteration exactIteration = {1e-9, 5000};
 
+constexpr int trianglesInARun = 8192; ///< of which one thread finds the bending
+constexpr int runsAtOnce = 16;
+
 } // namespace
 
 Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& positions) {
@@ -56,13 +59,26 @@ void BendingMatrix::addPlates(const Eigen::VectorXd& smoothness) {
 	Eigen::VectorXd patchArea = Eigen::VectorXd::Zero(assembly_.patchCount());
 	for (int t = 0; t < assembly_.triangleCount(); ++t)
 		patchArea[assembly_.patchOfTriangle[t]] += areas_[t];
+	const Eigen::VectorXd weights = smoothness.array() * patchArea.array() * patchArea.array() / areas_.sum();
 	const FittedHessian hessian(assembly_, areas_);
-	const double wholeArea = areas_.sum();
-	for (int t = 0; t < assembly_.triangleCount(); ++t) {
-		const int patch = assembly_.patchOfTriangle[t];
-		const TriangleBending bending = hessian.bending(t);
-		addSquares(bending.places, bending.rows,
-				   smoothness[patch] * patchArea[patch] * patchArea[patch] / wholeArea);
+	for (int first = 0; first < assembly_.triangleCount(); first += runsAtOnce * trianglesInARun) {
+		std::vector<std::vector<Entry>> entries(runsAtOnce);
+		std::vector<Task> tasks;
+		for (int run = 0; run < runsAtOnce; ++run) {
+			const int begin = first + run * trianglesInARun;
+			const int end = std::min(begin + trianglesInARun, assembly_.triangleCount());
+			if (begin < end)
+				tasks.push_back({1, [&, run, begin, end](const Progress&) {
+									 for (int t = begin; t < end; ++t) {
+										 const TriangleBending bending = hessian.bending(t);
+										 addSquares(bending.places, bending.rows,
+													weights[assembly_.patchOfTriangle[t]], entries[run]);
+									 }
+								 }});
+		}
+		runTasks(tasks, 0, {});
+		for (const std::vector<Entry>& ofRun : entries)
+			entries_.insert(entries_.end(), ofRun.begin(), ofRun.end());
 	}
 }
 
@@ -76,16 +92,17 @@ void BendingMatrix::addRods(const Eigen::VectorXd& smoothness, double rods) {
 	}
 	for (const RodJoint& joint : rodJoints(assembly_, {}))
 		addSquares({joint.begin(), joint.end()}, rodBending(assembly_, joint).transpose(),
-				   stiffness[joint[1]] * std::pow(partArea[joint[1]], 2.5) / wholeArea);
+				   stiffness[joint[1]] * std::pow(partArea[joint[1]], 2.5) / wholeArea, entries_);
 }
 
 template <class Rows>
-void BendingMatrix::addSquares(const std::vector<int>& places, const Rows& rows, double weight) {
+void BendingMatrix::addSquares(const std::vector<int>& places, const Rows& rows, double weight,
+							   std::vector<Entry>& entries) const {
 	for (std::size_t i = 0; i < places.size(); ++i)
 		for (std::size_t j = 0; j < places.size(); ++j)
 			if (places[i] >= places[j] && !assembly_.placeFixed[places[i]] &&
 				!assembly_.placeFixed[places[j]])
-				entries_.emplace_back(places[i], places[j], weight * rows.col(i).dot(rows.col(j)));
+				entries.emplace_back(places[i], places[j], weight * rows.col(i).dot(rows.col(j)));
 }
 
 BendingMetric::BendingMetric(const PatchAssembly& assembly, const NewtonTuning& tuning, double memoryLimit)

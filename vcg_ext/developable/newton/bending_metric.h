@@ -30,17 +30,20 @@ public:
 	SparseMatrix lower() const;
 
 private:
+	using Entry = Eigen::Triplet<double>;
+
 	void addPlates(const Eigen::VectorXd& smoothness);
 
 	void addRods(const Eigen::VectorXd& smoothness, double rods);
 
 	/// Adds the squared norm of weight · rows · (values at the places).
 	template <class Rows>
-	void addSquares(const std::vector<int>& places, const Rows& rows, double weight);
+	void addSquares(const std::vector<int>& places, const Rows& rows, double weight,
+					std::vector<Entry>& entries) const;
 
 	const PatchAssembly& assembly_;
 	const Eigen::VectorXd areas_; // of the triangles
-	std::vector<Eigen::Triplet<double>> entries_;
+	std::vector<Entry> entries_;
 };
 
 /// The metric W of the constrained Newton method: a BendingMatrix with the places' own masses. Triangles can
