@@ -17,7 +17,7 @@ namespace {
 constexpr Iteration exactIteration = {1e-9, 5000};
 
 constexpr int trianglesInARun = 8192; ///< of which one thread finds the bending
-constexpr int runsAtOnce = 16;
+constexpr int runsAtOnce = 8;
 
 } // namespace
 
