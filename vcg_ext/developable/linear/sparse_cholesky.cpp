@@ -3,7 +3,7 @@
 #include "sparse_cholesky.h"
 
 #ifdef DEVELOPABLE_WITH_CHOLMOD
-#include "developable/mesh/parallel_tasks.h"
+#include "developable/mesh/mesh.h"
 
 #include <Eigen/CholmodSupport>
 #include <dense_threads.h>
