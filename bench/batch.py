@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 import psutil
 import pyarrow.parquet
+from models import Array, grid
 
 SIDE = 32  # vertices along an edge of a panel
 NO_STEP = 'solver = "Conjugate gradient"\nmax_iterations = 0'
@@ -25,20 +26,22 @@ NO_STEP = 'solver = "Conjugate gradient"\nmax_iterations = 0'
 def write_panel(path: Path, seed: int) -> None:
     """A bent sheet with bumps, no two alike."""
     random = np.random.default_rng(seed)
-    x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 1, SIDE), np.linspace(0, 1, SIDE)))
-    z = 0.3 * np.sin(2 * x)
-    for _ in range(3):
-        cx, cy = random.uniform(0.2, 0.8, 2)
-        z += random.uniform(-0.03, 0.03) * np.exp(-((x - cx) ** 2 + (y - cy) ** 2) / 0.02)
-    index = np.arange(SIDE * SIDE).reshape(SIDE, SIDE)
-    a, b, c, d = index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]
-    faces = np.concatenate([np.stack(corners, -1).reshape(-1, 3) for corners in ((a, b, c), (a, c, d))])
-    header = f"ply\nformat ascii 1.0\nelement vertex {len(x)}\n"
+
+    def sheet(u: Array, v: Array) -> Array:
+        height = 0.3 * np.sin(2 * u)
+        for _ in range(3):
+            middle_u, middle_v = random.uniform(0.2, 0.8, 2)
+            bump = np.exp(-((u - middle_u) ** 2 + (v - middle_v) ** 2) / 0.02)
+            height += random.uniform(-0.03, 0.03) * bump
+        return height
+
+    vertices, faces = grid(SIDE, sheet)
+    header = f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}\n"
     header += "".join(f"property double {axis}\n" for axis in "xyz")
     header += f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     with path.open("w") as file:
         file.write(header)
-        np.savetxt(file, np.stack([x, y, z], 1), "%.17g")
+        np.savetxt(file, vertices, "%.17g")
         np.savetxt(file, faces, "3 %d %d %d")
 
 

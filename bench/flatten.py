@@ -22,6 +22,7 @@ import pymeshlab
 from common import print_head, print_row
 from meshlab_developable import flatten
 from meshlab_developable.sewing import boundary_loops
+from models import grid
 
 MODELS = Path(__file__).resolve().parent.parent / "meshes"
 ITERATIONS = 100  # of ARAP and SLIM
@@ -134,15 +135,6 @@ def flipped(faces: Array, flat: Array) -> int:
     a, b, c = (flat[faces[:, i]] for i in range(3))
     signs = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0] > 0
     return int(min(signs.sum(), (~signs).sum()))
-
-
-def grid(columns: int, surface: Callable[[Array, Array], Array]) -> tuple[Array, Array]:
-    """A height field over the unit square."""
-    v, u = np.meshgrid(np.linspace(0, 1, columns), np.linspace(0, 1, columns), indexing="ij")
-    vertices = np.stack([u.ravel(), v.ravel(), surface(u, v).ravel()], axis=1)
-    a = (np.arange(columns - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
-    b, c, d = a + 1, a + columns + 1, a + columns
-    return vertices, np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
 
 
 def bump(u: Array, v: Array) -> Array:

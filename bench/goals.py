@@ -18,19 +18,15 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 from common import print_head, print_row, said, write_off
 from meshlab_developable import flatten, make_developable, measure
-from models import SHEETS, load
+from models import SHEETS, Array, Faces, grid, load
 from scipy.spatial import cKDTree
 
 PAPER_SECONDS = 1.7
 GROUPS = ((101, 0.3), (317, 3), (1001, 60))  # columns of the bumped cylinder, wanted seconds
 HARD = 100_000  # vertices
 EDGE_NOISE = 0.02  # edge lengths
-
-Array = npt.NDArray[np.float64]
-Faces = npt.NDArray[np.int32]
 
 
 def run(executable: str, method: str, mesh: Path, threads: int = 0) -> tuple[float, float, float]:
@@ -76,12 +72,10 @@ def hard_shapes(folder: Path) -> Iterator[Path]:
 
 def bumped_sheet(columns: int) -> tuple[Array, Faces]:
     """A bent sheet with a bump, of so many vertices along each side."""
-    x, y = (axis.ravel() for axis in np.meshgrid(*2 * [np.linspace(0, 1, columns)], indexing="ij"))
-    radius = 1 + 0.04 * np.exp(-((x - 0.5) ** 2 + (y - 0.5) ** 2) / 0.04)
-    index = np.arange(columns**2, dtype=np.int32).reshape(columns, columns)
-    a, b, c, d = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
-    faces = np.concatenate([np.stack(corners, -1).reshape(-1, 3) for corners in ((a, b, c), (a, c, d))])
-    return np.stack([radius * np.sin(1.2 * x), y, radius * np.cos(1.2 * x)], -1), faces
+    flat, faces = grid(columns, lambda u, v: np.exp(-((u - 0.5) ** 2 + (v - 0.5) ** 2) / 0.04))
+    u, v, bump = flat.T
+    radius = 1 + 0.04 * bump
+    return np.stack([radius * np.sin(1.2 * u), v, radius * np.cos(1.2 * u)], -1), faces
 
 
 def seconds_of(work: Callable[[], object]) -> float:

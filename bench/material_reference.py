@@ -13,12 +13,12 @@ bending counts for nothing there either.
 from __future__ import annotations
 
 import sys
-from typing import Any
 
 import casadi
 import numpy as np
 from common import print_head, print_row
 from meshlab_developable import flatten, make_developable
+from models import grid
 
 SHAPES = {
     "bump": lambda u, v: 0.2 * np.exp(-12 * ((u - 0.5) ** 2 + (v - 0.5) ** 2)),
@@ -27,18 +27,6 @@ SHAPES = {
 }
 BOUNDS = (0.5, 1.0, 2.0)  # per cent, of both signs
 GOOD = ("Solve_Succeeded", "Solved_To_Acceptable_Level")
-
-
-def grid(shape: Any, columns: int) -> tuple[np.ndarray, np.ndarray]:
-    """A graph over the unit square, its diagonals alternating."""
-    u, v = np.meshgrid(np.linspace(0, 1, columns), np.linspace(0, 1, columns))
-    index = np.arange(columns * columns).reshape(columns, columns)
-    a, b, c, d = index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]
-    odd = np.indices(a.shape).sum(axis=0) % 2 == 1
-    first = np.where(odd[..., None], np.stack([a, b, d], -1), np.stack([a, b, c], -1))
-    second = np.where(odd[..., None], np.stack([b, c, d], -1), np.stack([a, c, d], -1))
-    faces = np.concatenate([first, second]).reshape(-1, 3)
-    return np.stack([u, v, shape(u, v)], -1).reshape(-1, 3), faces
 
 
 def masses(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -97,7 +85,7 @@ def main() -> None:
     only_ours = sys.argv[2:] == ["ours"]
     print_head(("shape", "vertices", "allowed, %", "moved: ours", "IPOPT", "ratio"))
     for name, shape in SHAPES.items():
-        vertices, faces = grid(shape, columns)
+        vertices, faces = grid(columns, shape, alternating=True)
         for bound in BOUNDS:
             values = {"allowed_stretch": bound, "allowed_compression": bound}
             moved = make_developable(vertices, faces, method="global", smoothness=1e-9, **values)

@@ -5,6 +5,8 @@
 #include "departure.h"
 #include "materials.h"
 
+#include "developable/geometry/geometry.h"
+
 namespace developable::plugin {
 
 namespace {
@@ -46,8 +48,7 @@ std::string panelsBeyond(const std::vector<std::size_t>& beyond, const PatchAsse
 	std::string words;
 	for (std::size_t i = 0; i < std::min(beyond.size(), mostPanels); ++i) {
 		const FlatPiece& piece = patterns.pieces[beyond[i]];
-		const Eigen::Vector3d at =
-			positions(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
+		const Eigen::Vector3d at = barycentre(positions, assembly.trianglePlaces.col(piece.worstTriangle));
 		words += (i == 0 ? "panel " : ", panel ") + std::to_string(beyond[i]) + " by " +
 				 formatted(perCent * piece.beyondBounds, 3) + " % at " +
 				 pointInWords(inMeshUnits(assembly.lengthExponent, at));

@@ -6,9 +6,9 @@
 #include "dense_threads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 /// Pieces depend on nothing but the sizes of the matrices, so that the bits do not depend on the threads.
 ///
@@ -20,8 +20,7 @@ public:
 						 const double* a, int lda, const double* b, int ldb, double beta, double* c,
 						 int ldc) {
 		const bool byRows = *transA == 'N';
-		const std::vector<int> starts = evenly(byRows ? m : 1, double(m) * n * k);
-		forEachPiece(starts, [&](int first, int rows) {
+		forEachPiece(evenly(byRows ? m : 1, double(m) * n * k), [&](int first, int rows) {
 			whole.multiply(transA, transB, byRows ? rows : m, n, k, alpha, a + first, lda, b, ldb, beta,
 						   c + first, ldc);
 		});
@@ -29,11 +28,10 @@ public:
 
 	static void rankUpdate(int n, int k, double alpha, const double* a, int lda, double beta, double* c,
 						   int ldc) {
-		std::vector<int> starts = evenly(n, 0.5 * n * n * k);
-		const int pieces = static_cast<int>(starts.size()) - 1;
-		for (int piece = 1; piece < pieces; ++piece) // rows become longer
-			starts[piece] = static_cast<int>(n * std::sqrt(double(piece) / pieces));
-		forEachPiece(starts, [&](int first, int rows) {
+		Pieces pieces = evenly(n, 0.5 * n * n * k);
+		for (int piece = 1; piece < pieces.count; ++piece) // rows become longer
+			pieces.start[piece] = static_cast<int>(n * std::sqrt(double(piece) / pieces.count));
+		forEachPiece(pieces, [&](int first, int rows) {
 			if (first > 0)
 				whole.multiply("N", "C", rows, first, k, alpha, a + first, lda, a, lda, beta, c + first, ldc);
 			whole.rankUpdate(rows, k, alpha, a + first, lda, beta, c + first + std::ptrdiff_t(first) * ldc,
@@ -44,8 +42,7 @@ public:
 	static void solveTriangular(const char* side, const char* trans, int m, int n, double alpha,
 								const double* a, int lda, double* b, int ldb) {
 		const bool byRows = *side == 'R';
-		const std::vector<int> starts = evenly(byRows ? m : 1, 0.5 * m * n * (byRows ? n : m));
-		forEachPiece(starts, [&](int first, int rows) {
+		forEachPiece(evenly(byRows ? m : 1, 0.5 * m * n * (byRows ? n : m)), [&](int first, int rows) {
 			whole.solveTriangular(side, trans, byRows ? rows : m, n, alpha, a, lda, b + first, ldb);
 		});
 	}
@@ -86,19 +83,29 @@ private:
 	static constexpr double pieceWork = 5e6;
 	static constexpr int mostPieces = 16;
 
-	/// Where each piece begins, and the end.
-	static std::vector<int> evenly(int rows, double work) {
-		const int pieces =
+	/// Rows, without memory of their own: most calls are of small matrices, and many.
+	struct Pieces {
+		int count;
+		std::array<int, mostPieces + 1> start; ///< where each begins, and the end
+	};
+
+	static Pieces evenly(int rows, double work) {
+		const int count =
 			work < leastWork ? 1 : std::min({mostPieces, rows, static_cast<int>(work / pieceWork)});
-		std::vector<int> starts;
-		for (int piece = 0; piece <= pieces; ++piece)
-			starts.push_back(static_cast<int>(static_cast<long long>(rows) * piece / pieces));
-		return starts;
+		Pieces pieces = {count, {}};
+		for (int piece = 0; piece <= count; ++piece)
+			pieces.start[piece] = static_cast<int>(static_cast<long long>(rows) * piece / count);
+		return pieces;
 	}
 
 	template <class Work>
-	static void forEachPiece(const std::vector<int>& starts, const Work& work) {
-		DenseThreads::run(static_cast<int>(starts.size()) - 1,
-						  [&](int piece) { work(starts[piece], starts[piece + 1] - starts[piece]); });
+	static void forEachPiece(const Pieces& pieces, const Work& work) {
+		const auto ofPiece = [&](int piece) {
+			work(pieces.start[piece], pieces.start[piece + 1] - pieces.start[piece]);
+		};
+		if (pieces.count == 1)
+			ofPiece(0);
+		else
+			DenseThreads::run(pieces.count, ofPiece);
 	}
 };

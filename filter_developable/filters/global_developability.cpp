@@ -12,7 +12,6 @@
 #include "developable/penalty/penalty_method.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace developable::plugin {
 
@@ -28,12 +27,6 @@ std::vector<std::string> solverNames() {
 
 std::string nameOf(Solver solver) {
 	return solverNames()[std::size_t(solver)];
-}
-
-/// What users set for all programs that compute on several threads, as our batches do; 0: nothing.
-int threadsAskedFor() {
-	const char* asked = std::getenv("OMP_NUM_THREADS");
-	return asked != nullptr ? std::max(0, std::atoi(asked)) : 0;
 }
 
 /// Hosts may have rounded to float what the user typed: stay below that.
@@ -59,7 +52,6 @@ OptimizationReport runConstrainedNewton(const ParameterValues& values, const Pat
 	options.smoothness = chosenSmoothness(values);
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
-	options.threads = threadsAskedFor();
 	return constrainedNewton(assembly, positions, options, progress);
 }
 
@@ -75,7 +67,6 @@ OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAs
 	options.fairness = values.number("fairness");
 	options.maxDisplacement = largestDisplacement(values, assembly.lengthExponent);
 	options.leastRadius = inWorkingUnits(assembly.lengthExponent, smallestRadius(values));
-	options.threads = threadsAskedFor();
 	BoundedStrainReport report = boundedStrain(assembly, positions, options, progress);
 	if (!report.patterns.pieces.empty())
 		known = {positions, std::move(report.patterns)};

@@ -3,6 +3,7 @@
 #include "bounded_strain.h"
 
 #include "bounded_part.h"
+#include "developable/geometry/geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,8 +80,7 @@ void describeWorst(const AssemblyPart& part, const BoundedOutcome& outcome, Boun
 	if (beyond <= report.beyondBounds)
 		return;
 	report.beyondBounds = beyond;
-	const Eigen::Vector3d at =
-		outcome.positions(Eigen::all, part.assembly.trianglePlaces.col(worst)).rowwise().mean();
+	const Eigen::Vector3d at = barycentre(outcome.positions, part.assembly.trianglePlaces.col(worst));
 	report.worstPosition = {at[0], at[1], at[2]};
 	if (outcome.status == Status::NeedsCut) {
 		report.nearestDevelopable = outcome.nearestDevelopable;

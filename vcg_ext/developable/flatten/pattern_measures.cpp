@@ -4,6 +4,7 @@
 
 #include "boundary_crossings.h"
 #include "bounded_layout.h"
+#include "developable/geometry/geometry.h"
 #include "grain_directions.h"
 #include "panel_maker.h"
 #include "seams.h"
@@ -133,8 +134,7 @@ void addNotes(int number, const FlatPiece& piece, std::vector<std::string>& note
 /// Which piece is beyond the bounds, where and by how much.
 void addNoteOfBounds(const PatchAssembly& assembly, const Positions& model, int number,
 					 const FlatPiece& piece, std::vector<std::string>& notes) {
-	const Eigen::Vector3d middle =
-		model(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
+	const Eigen::Vector3d middle = barycentre(model, assembly.trianglePlaces.col(piece.worstTriangle));
 	const Eigen::Vector3d at = inMeshUnits(assembly.lengthExponent, middle);
 	char text[240];
 	std::snprintf(

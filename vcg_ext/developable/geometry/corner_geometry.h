@@ -35,6 +35,14 @@ TriangleFrame triangleFrame(const Positions& positions, const Places& places) {
 	return {positions.col(places[0]), positions.col(places[1]), positions.col(places[2])};
 }
 
+/// The barycentre of the triangle whose corners lie at these places.
+/// \param positions  3 x places
+/// \param places     three of them
+template <class Places>
+Eigen::Vector3d barycentre(const Positions& positions, const Places& places) {
+	return positions(Eigen::all, places).rowwise().mean();
+}
+
 /// The cotangents of a triangle's three corners.
 inline Eigen::Vector3d cotangents(const TriangleFrame& frame) {
 	const Eigen::Vector3d &u = frame.edge[2], v = -frame.edge[1];

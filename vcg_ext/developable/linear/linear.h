@@ -8,3 +8,4 @@
 #include "repeated_sum.h"
 #include "sparse_cholesky.h"
 #include "sparse_solver.h"
+#include "stored_place.h"

@@ -2,6 +2,8 @@
 // repeated_sum.cpp: the places of entries, and sums there.
 #include "repeated_sum.h"
 
+#include "stored_place.h"
+
 #include <algorithm>
 
 namespace developable {
@@ -30,11 +32,8 @@ void RepeatedSum::findPlaces(const Entries& entries, int size) {
 	matrix_.resize(size, size);
 	matrix_.setFromTriplets(entries.begin(), entries.end());
 	places_.resize(entries.size());
-	const int* const rows = matrix_.innerIndexPtr();
 	std::transform(entries.begin(), entries.end(), places_.begin(), [&](const Eigen::Triplet<double>& entry) {
-		const int* const column = rows + matrix_.outerIndexPtr()[entry.col()];
-		const int* const next = rows + matrix_.outerIndexPtr()[entry.col() + 1];
-		return static_cast<int>(std::lower_bound(column, next, entry.row()) - rows);
+		return storedPlace(matrix_, entry.row(), entry.col());
 	});
 }
 

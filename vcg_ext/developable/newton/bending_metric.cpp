@@ -61,20 +61,19 @@ void BendingMatrix::addPlates(const Eigen::VectorXd& smoothness) {
 		patchArea[assembly_.patchOfTriangle[t]] += areas_[t];
 	const Eigen::VectorXd weights = smoothness.array() * patchArea.array() * patchArea.array() / areas_.sum();
 	const FittedHessian hessian(assembly_, areas_);
+	const auto findRun = [&](int begin, std::vector<Entry>& entries) {
+		const int end = std::min(begin + trianglesInARun, assembly_.triangleCount());
+		for (int t = begin; t < end; ++t) {
+			const TriangleBending bending = hessian.bending(t);
+			addSquares(bending.places, bending.rows, weights[assembly_.patchOfTriangle[t]], entries);
+		}
+	};
 	for (int first = 0; first < assembly_.triangleCount(); first += runsAtOnce * trianglesInARun) {
 		std::vector<std::vector<Entry>> entries(runsAtOnce);
 		std::vector<Task> tasks;
-		for (int run = 0; run < runsAtOnce; ++run) {
-			const int begin = first + run * trianglesInARun;
-			const int end = std::min(begin + trianglesInARun, assembly_.triangleCount());
-			if (begin < end)
-				tasks.push_back({1, [&, run, begin, end](const Progress&) {
-									 for (int t = begin; t < end; ++t) {
-										 const TriangleBending bending = hessian.bending(t);
-										 addSquares(bending.places, bending.rows,
-													weights[assembly_.patchOfTriangle[t]], entries[run]);
-									 }
-								 }});
+		for (int run = 0, begin = first; run < runsAtOnce && begin < assembly_.triangleCount(); ++run) {
+			tasks.push_back({1, [&, run, begin](const Progress&) { findRun(begin, entries[run]); }});
+			begin += trianglesInARun;
 		}
 		runTasks(tasks, 0, {});
 		for (const std::vector<Entry>& ofRun : entries)

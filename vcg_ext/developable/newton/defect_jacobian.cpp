@@ -200,12 +200,7 @@ void DefectJacobian::findProducts() {
 	product_.resize(rowCount(), rowCount());
 	product_.setFromTriplets(entries.begin(), entries.end());
 	productEntry_.reserve(entries.size());
-	forEachProduct([&](int row, int column) {
-		const int* rows = product_.innerIndexPtr();
-		const int *begin = rows + product_.outerIndexPtr()[column],
-				  *end = rows + product_.outerIndexPtr()[column + 1];
-		productEntry_.push_back(static_cast<int>(std::lower_bound(begin, end, row) - rows));
-	});
+	forEachProduct([&](int row, int column) { productEntry_.push_back(storedPlace(product_, row, column)); });
 }
 
 } // namespace developable::detail

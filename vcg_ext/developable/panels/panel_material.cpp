@@ -63,8 +63,7 @@ std::vector<PatternVerdict> judgePatterns(const PatchAssembly& assembly, const P
 		verdict.beyondBounds = piece.beyondBounds;
 		verdict.usable = !piece.overlapping && piece.cuts == 0 && piece.flippedFaces == 0;
 		if (piece.worstTriangle >= 0)
-			verdict.worstPoint =
-				positions(Eigen::all, assembly.trianglePlaces.col(piece.worstTriangle)).rowwise().mean();
+			verdict.worstPoint = barycentre(positions, assembly.trianglePlaces.col(piece.worstTriangle));
 		verdicts.push_back(verdict);
 	}
 	return verdicts;

@@ -3,6 +3,7 @@
 #include "sewn_panels.h"
 
 #include "developable/flatten/flatten.h"
+#include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
 
 #include <algorithm>
@@ -85,10 +86,8 @@ void measurePanels(const PatchAssembly& assembly, const Positions& positions, co
 void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
 					const std::vector<int>& panelOfPatch, SewnPanels& result) {
 	const FlatPatterns patterns = flattenPatches(assembly, positions);
-	const auto pointAt = [&](int h) -> Eigen::Vector3d { // inside the triangle: beside a slit, not on it
-		return assembly.originalPositions(Eigen::all, assembly.trianglePlaces.col(triangleOf(h)))
-			.rowwise()
-			.mean();
+	const auto pointAt = [&](int h) { // inside the triangle: beside a slit, not on it
+		return barycentre(assembly.originalPositions, assembly.trianglePlaces.col(triangleOf(h)));
 	};
 	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch) {
 		const FlatPiece& piece = patterns.pieces[patch];
