@@ -140,7 +140,7 @@ std::vector<Parameter> parameters() {
 				floatParameter("fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "",
 							   "Detail smoothed away",
 							   "how much detail is smoothed away: bumps that are shorter than this share of "
-							   "the panel's size. At 0 the surface keeps its detail.")),
+							   "the size of all that hangs together. At 0 the surface keeps its detail.")),
 		onlyFor(
 			Solver::ConstrainedNewton,
 			automaticLength(

@@ -8,7 +8,7 @@ namespace {
 TEST(BendingMetric, OfAnAffineDisplacementOfASheetIsItsMeanSquare) {
 	const PatchAssembly assembly = assembled(jitteredGrid(9, 12, flatSheet));
 	detail::BendingMetric metric(assembly, {}, 0);
-	metric.setSmoothness(Eigen::VectorXd::Constant(1, 1));
+	metric.setSmoothness({Eigen::VectorXd::Constant(1, 1)});
 	ASSERT_TRUE(metric.factorize());
 	Eigen::Matrix3d slope;
 	slope << 0.3, -0.2, 1, 0.5, 0.1, 0.4, -0.7, 0.2, 0.6;
@@ -35,7 +35,7 @@ TEST(BendingMetric, IsTheThinPlateWithoutUnit) {
 				NewtonTuning tuning;
 				tuning.borderStiffness = rods;
 				detail::BendingMetric metric(assembly, tuning, 0);
-				metric.setSmoothness(Eigen::VectorXd::Constant(1, smoothness));
+				metric.setSmoothness({Eigen::VectorXd::Constant(1, smoothness)});
 				return metric.squaredNorm(displacement);
 			};
 			EXPECT_NEAR((squaredNorm(2e-3, 0) - squaredNorm(1e-3, 0)) / 1e-3, 1, 1e-9) << cells;
@@ -50,7 +50,7 @@ TEST(BendingMetric, IsTheThinPlateWithoutUnit) {
 TEST(BendingMetric, MakesTrianglesMoveAsOnePiece) {
 	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, flatSheet));
 	detail::BendingMetric metric(assembly, {}, 0);
-	metric.setSmoothness(Eigen::VectorXd::Constant(1, 1e-3));
+	metric.setSmoothness({Eigen::VectorXd::Constant(1, 1e-3)});
 	const auto places = assembly.trianglePlaces.col(13);
 	Positions force = Positions::Zero(3, assembly.placeCount());
 	force(2, places[1]) = 1;
@@ -81,7 +81,7 @@ TEST(BendingMetric, MakesTrianglesStifferThatAreHeldAtTwoCorners) {
 	const Eigen::Vector3i places = assembly.trianglePlaces.col(13);
 	assembly.placeFixed[places[0]] = assembly.placeFixed[places[1]] = 1;
 	detail::BendingMetric metric(assembly, {}, 0);
-	metric.setSmoothness(Eigen::VectorXd::Constant(1, 1e-3));
+	metric.setSmoothness({Eigen::VectorXd::Constant(1, 1e-3)});
 	Positions force = Positions::Zero(3, assembly.placeCount());
 	force(2, places[2]) = 1;
 	ASSERT_TRUE(metric.factorize());
@@ -99,7 +99,7 @@ TEST(BendingMetric, DoesWithLittleMemory) {
 	detail::BendingMetric little(assembly, {}, 1), much(assembly, {}, 0);
 	const Positions force = Positions::Random(3, assembly.placeCount());
 	for (detail::BendingMetric* metric : {&little, &much}) {
-		metric->setSmoothness(Eigen::VectorXd::Constant(1, 1e-4));
+		metric->setSmoothness({Eigen::VectorXd::Constant(1, 1e-4)});
 		ASSERT_TRUE(metric->factorize());
 	}
 	const Positions exact = much.solve(force);

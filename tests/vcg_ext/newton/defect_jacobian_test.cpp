@@ -18,7 +18,7 @@ TEST(DefectJacobian, AgreesWithCentralDifferences) {
 	options.fixSelected = true;
 	const PatchAssembly assembly = assembled(mesh, options);
 	detail::BendingMetric metric(assembly, {}, 0);
-	metric.setSmoothness(Eigen::VectorXd::Constant(2, 1e-3));
+	metric.setSmoothness({Eigen::VectorXd::Constant(2, 1e-3)});
 	detail::DefectJacobian jacobian(assembly, metric.placeMass(), 0.02);
 	const Positions shape = assembly.originalPositions + 0.02 * Positions::Random(3, assembly.placeCount());
 	jacobian.linearize(shape);

@@ -125,30 +125,67 @@ TEST(Fairness, SmoothsTheSurfacesOwnDetail) {
 	EXPECT_EQ(positions, assembly.originalPositions);
 }
 
+PatchAssembly fairShapeOf(const PatchAssembly& assembly, double shapeSmoothness,
+						  const detail::CurvatureGoal& goal = {1e-4, 1e-4}) {
+	return detail::fairShape(detail::Unfairness(assembly, shapeSmoothness, {}, 0), goal, {});
+}
+
 TEST(Fairness, FairShapeIsSmootherAndOnTheSurface) {
 	const PatchAssembly smooth = assembled(jitteredGrid(25, 25, bumpedCylinder));
 	const PatchAssembly assembly = assembled(noisy(jitteredGrid(25, 25, bumpedCylinder), 0.1));
 	const double noise = (assembly.originalPositions - smooth.originalPositions).colwise().norm().maxCoeff();
-	const PatchAssembly fair = detail::fairShape(assembly, 1e-6, {1e-4, 1e-4}, {}, 0);
+	const PatchAssembly fair = fairShapeOf(assembly, 1e-6);
 	EXPECT_LT(roughness(fair, fair.originalPositions), 0.7 * roughness(assembly, assembly.originalPositions));
 	EXPECT_LT(distancesToSurface(fair.originalPositions, smooth.originalPositions, smooth.trianglePlaces)
 				  .maxCoeff(),
 			  noise);
 }
 
+/// The mean angle between neighbours within a patch, rad.
+double meanBend(const PatchAssembly& assembly, const Positions& positions, int patch) {
+	double sum = 0;
+	int count = 0;
+	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
+		if (assembly.across(h) < 0 || assembly.patchOfTriangle[h / 3] != patch)
+			continue;
+		const double cosine = unitNormal(assembly, positions, h / 3)
+								  .dot(unitNormal(assembly, positions, assembly.across(h) / 3));
+		sum += std::acos(std::min(1.0, cosine));
+		++count;
+	}
+	return sum / count;
+}
+
+TEST(Fairness, SmallPanelsBecomeAsFairAsLargeOnes) {
+	const int columns = 25;
+	const TriangleMesh whole = noisy(jitteredGrid(columns, columns, bumpedCylinder), 0.1);
+	const auto isNarrow = [](int column, int) { return column < 5; };
+	const PatchAssembly assembly = assembled(
+		together(without(whole, columns, isNarrow),
+				 without(whole, columns, [&](int column, int row) { return !isNarrow(column, row); })));
+	ASSERT_EQ(assembly.patchCount(), 2);
+	const PatchAssembly fair = fairShapeOf(assembly, 1e-6);
+	double left[2];
+	for (const int patch : {0, 1})
+		left[patch] = meanBend(assembly, fair.originalPositions, patch) /
+					  meanBend(assembly, assembly.originalPositions, patch);
+	EXPECT_LT(left[1], 1.3 * left[0]);
+	EXPECT_LT(left[0], 1.3 * left[1]);
+}
+
 TEST(Fairness, FairShapeKeepsWhatIsFlatOrHeldOrBounded) {
 	// A flat sheet is as smooth as it can be.
 	const PatchAssembly sheet = assembled(jitteredGrid(9, 9, flatSheet));
-	const PatchAssembly fairSheet = detail::fairShape(sheet, 1e-5, {1e-4, 1e-4}, {}, 0);
+	const PatchAssembly fairSheet = fairShapeOf(sheet, 1e-5);
 	EXPECT_LT((fairSheet.originalPositions - sheet.originalPositions).norm(), 1e-9);
 	PatchAssembly held = assembled(noisy(jitteredGrid(15, 15, wave), 0.1));
 	for (int place = 0; place < held.placeCount(); place += 3)
 		held.placeFixed[place] = 1;
-	const PatchAssembly fair = detail::fairShape(held, 1e-6, {1e-4, 1e-4}, {}, 0);
+	const PatchAssembly fair = fairShapeOf(held, 1e-6);
 	EXPECT_NE(fair.originalPositions, held.originalPositions);
 	for (int place = 0; place < held.placeCount(); place += 3)
 		EXPECT_EQ(fair.originalPositions.col(place), held.originalPositions.col(place));
-	const PatchAssembly near = detail::fairShape(held, 1e-6, {1e-4, 1e-4, 1e-6}, {}, 0);
+	const PatchAssembly near = fairShapeOf(held, 1e-6, {1e-4, 1e-4, 1e-6});
 	EXPECT_LE((near.originalPositions - held.originalPositions).colwise().norm().maxCoeff(), 1e-6);
 }
 

@@ -8,7 +8,7 @@ namespace {
 TEST(NormalSystem, IsTheProductThatItStandsFor) {
 	const PatchAssembly assembly = sewnPatches(12);
 	detail::BendingMetric metric(assembly, {}, 0);
-	metric.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), 1e-4));
+	metric.setSmoothness({Eigen::VectorXd::Constant(assembly.patchCount(), 1e-4)});
 	detail::DefectJacobian jacobian(assembly, metric.placeMass(), 0.1);
 	detail::NormalSystem system(metric.matrix());
 	for (const double noise : {0.0, 0.01}) { // the second time with the pattern of the first

@@ -39,8 +39,9 @@ Eigen::VectorXd placeMasses(const PatchAssembly& assembly) {
 }
 
 BendingMatrix::BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses,
-							 const Eigen::VectorXd& smoothness, double rods)
-	: assembly_(assembly), areas_(triangleAreas(assembly, assembly.originalPositions)) {
+							 const Smoothness& smoothness, double rods)
+	: assembly_(assembly), areas_(triangleAreas(assembly, assembly.originalPositions)),
+	  partArea_(partAreas(assembly, areas_)) {
 	entries_.reserve(assembly.placeCount() + 21 * static_cast<std::size_t>(assembly.triangleCount()));
 	for (int place = 0; place < assembly.placeCount(); ++place)
 		entries_.emplace_back(place, place, masses[place]);
@@ -55,11 +56,16 @@ SparseMatrix BendingMatrix::lower() const {
 	return result;
 }
 
-void BendingMatrix::addPlates(const Eigen::VectorXd& smoothness) {
+void BendingMatrix::addPlates(const Smoothness& smoothness) {
 	Eigen::VectorXd patchArea = Eigen::VectorXd::Zero(assembly_.patchCount());
 	for (int t = 0; t < assembly_.triangleCount(); ++t)
 		patchArea[assembly_.patchOfTriangle[t]] += areas_[t];
-	const Eigen::VectorXd weights = smoothness.array() * patchArea.array() * patchArea.array() / areas_.sum();
+	Eigen::VectorXd ofPart(assembly_.patchCount());
+	for (int t = 0; t < assembly_.triangleCount(); ++t)
+		ofPart[assembly_.patchOfTriangle[t]] = partArea_[assembly_.trianglePlaces(0, t)];
+	const Eigen::VectorXd weights = (smoothness.ofPatches.array() * patchArea.array() * patchArea.array() +
+									 smoothness.ofPart * ofPart.array() * ofPart.array()) /
+									areas_.sum();
 	const FittedHessian hessian(assembly_, areas_);
 	const auto findRun = [&](int begin, std::vector<Entry>& entries) {
 		const int end = std::min(begin + trianglesInARun, assembly_.triangleCount());
@@ -81,17 +87,17 @@ void BendingMatrix::addPlates(const Eigen::VectorXd& smoothness) {
 	}
 }
 
-void BendingMatrix::addRods(const Eigen::VectorXd& smoothness, double rods) {
-	const Eigen::VectorXd partArea = partAreas(assembly_, areas_);
+void BendingMatrix::addRods(const Smoothness& smoothness, double rods) {
 	const double wholeArea = areas_.sum();
 	Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(assembly_.placeCount()); // β
 	for (int copy = 0; copy < assembly_.copyCount(); ++copy) {
 		double& ofPlace = stiffness[assembly_.placeOfCopy[copy]];
-		ofPlace = std::max(ofPlace, rods * smoothness[assembly_.patchOfCopy[copy]]);
+		ofPlace =
+			std::max(ofPlace, rods * (smoothness.ofPatches[assembly_.patchOfCopy[copy]] + smoothness.ofPart));
 	}
 	for (const RodJoint& joint : rodJoints(assembly_, {}))
 		addSquares({joint.begin(), joint.end()}, rodBending(assembly_, joint).transpose(),
-				   stiffness[joint[1]] * std::pow(partArea[joint[1]], 2.5) / wholeArea, entries_);
+				   stiffness[joint[1]] * std::pow(partArea_[joint[1]], 2.5) / wholeArea, entries_);
 }
 
 template <class Rows>
@@ -108,7 +114,7 @@ BendingMetric::BendingMetric(const PatchAssembly& assembly, const NewtonTuning& 
 	: assembly_(assembly), tuning_(tuning), placeMass_(placeMasses(assembly)),
 	  factorization_(memoryLimit, exactIteration) {}
 
-void BendingMetric::setSmoothness(const Eigen::VectorXd& smoothness) {
+void BendingMetric::setSmoothness(const Smoothness& smoothness) {
 	lower_ = BendingMatrix(assembly_, placeMass_, smoothness, tuning_.borderStiffness).lower();
 	diagonal_ = lower_.diagonal();
 	stiffness_ = Eigen::VectorXd::Zero(assembly_.triangleCount());
@@ -155,12 +161,11 @@ double BendingMetric::squaredNorm(const Positions& displacement) const {
 	return displacement.cwiseProduct(apply(displacement)).sum();
 }
 
-Positions BendingMetric::bendingForce(const Positions& positions, double smoothness) const {
+Positions BendingMetric::bendingForce(const Positions& positions, const Smoothness& smoothness) const {
 	PatchAssembly free = assembly_;
 	free.placeFixed.assign(free.placeCount(), 0);
 	const SparseMatrix bending =
-		BendingMatrix(free, Eigen::VectorXd::Zero(free.placeCount()),
-					  Eigen::VectorXd::Constant(free.patchCount(), smoothness), tuning_.borderStiffness)
+		BendingMatrix(free, Eigen::VectorXd::Zero(free.placeCount()), smoothness, tuning_.borderStiffness)
 			.lower();
 	Positions force = (bending.selfadjointView<Eigen::Lower>() * positions.transpose()).transpose();
 	for (int place = 0; place < free.placeCount(); ++place)

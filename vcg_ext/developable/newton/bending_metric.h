@@ -14,17 +14,22 @@ Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& po
 /// m_q, the share that each place has of the whole area: a third of the triangles round it.
 Eigen::VectorXd placeMasses(const PatchAssembly& assembly);
 
-/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_p α A_p² ∫_p |d''|²) /
-/// A: A_p is the area of patch p, A that of all patches, and the integral that of FittedHessian. So α is a
-/// number without unit and means the same on a model of any size and tessellation. Rows of places that are
-/// held still are those of a diagonal matrix.
+/// How dear it is to bend, beside to move. Numbers without unit, which mean the same on a model of any size
+/// and tessellation.
+struct Smoothness {
+	Eigen::VectorXd ofPatches; ///< α, per patch: against the patch's own area
+	double ofPart = 0;         ///< φ: against the area of the part that hangs together
+};
+
+/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_p (α A_p² + φ A_o²) ∫_p
+/// |d''|²) / A: A_p is the area of patch p, A_o that of the part that it belongs to, A that of all patches,
+/// and the integral that of FittedHessian. Rows of places that are held still are those of a diagonal matrix.
 class BendingMatrix {
 public:
-	/// \param masses      m_q / A, per place
-	/// \param smoothness  α, per patch
-	/// \param rods        β / α; 0: no rods
-	BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses,
-				  const Eigen::VectorXd& smoothness, double rods);
+	/// \param masses  m_q / A, per place
+	/// \param rods    β / (α + φ); 0: no rods
+	BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses, const Smoothness& smoothness,
+				  double rods);
 
 	/// Its lower triangle.
 	SparseMatrix lower() const;
@@ -32,9 +37,9 @@ public:
 private:
 	using Entry = Eigen::Triplet<double>;
 
-	void addPlates(const Eigen::VectorXd& smoothness);
+	void addPlates(const Smoothness& smoothness);
 
-	void addRods(const Eigen::VectorXd& smoothness, double rods);
+	void addRods(const Smoothness& smoothness, double rods);
 
 	/// Adds the squared norm of weight · rows · (values at the places).
 	template <class Rows>
@@ -42,7 +47,8 @@ private:
 					std::vector<Entry>& entries) const;
 
 	const PatchAssembly& assembly_;
-	const Eigen::VectorXd areas_; // of the triangles
+	const Eigen::VectorXd areas_;    // of the triangles
+	const Eigen::VectorXd partArea_; // A_o, per place
 	std::vector<Entry> entries_;
 };
 
@@ -54,8 +60,7 @@ public:
 	BendingMetric(const PatchAssembly& assembly, const NewtonTuning& tuning, double memoryLimit);
 
 	/// The metric anew: every triangle is as stiff as at first.
-	/// \param smoothness  α, per patch
-	void setSmoothness(const Eigen::VectorXd& smoothness);
+	void setSmoothness(const Smoothness& smoothness);
 
 	/// Makes triangles move rather as one piece: adds Σ ρ_t |d_i − d_j|² over their edges, with ρ_t a share
 	/// of what moving a corner costs, and some times as much each time again. Calls for another
@@ -88,8 +93,8 @@ public:
 
 	double squaredNorm(const Positions& displacement) const;
 
-	/// φ B x, B being what of W / α is bending, of places held still, too; 0 at those themselves.
-	Positions bendingForce(const Positions& positions, double smoothness) const;
+	/// B x, B being what of W is bending, of places held still, too; 0 at those themselves.
+	Positions bendingForce(const Positions& positions, const Smoothness& smoothness) const;
 
 private:
 	/// Adds stiffness · |d_i − d_j|² for two places of a triangle, of which held ones have d = 0. The matrix

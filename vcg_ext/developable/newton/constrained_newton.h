@@ -16,7 +16,8 @@ struct ConstrainedNewtonOptions {
 	/// Weight α of bending against distance, without unit (see detail::BendingMetric). Larger: fewer
 	/// wrinkles, and the surface moves more.
 	double smoothness = 3e-6;
-	/// How much the shape's own bending counts, 0 to 1. 0: the surface keeps its own detail.
+	/// How much the shape's own bending counts, 0 to 1: bumps shorter than this share of the root of their
+	/// part's area are smoothed away. 0: the surface keeps its own detail.
 	double fairness = 0;
 	/// How far a place of the result may be from where it was originally, length; negative: 15 % of the
 	/// diagonal of its part.

@@ -8,19 +8,29 @@
 
 namespace developable {
 
-SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness) {
-	const Eigen::VectorXd smoothnesses = Eigen::VectorXd::Constant(assembly.patchCount(), smoothness);
-	return detail::BendingMatrix(assembly, detail::placeMasses(assembly), smoothnesses,
+namespace {
+
+SparseMatrix metricOf(const PatchAssembly& assembly, double smoothness, double shapeSmoothness) {
+	const detail::Smoothness dear = {Eigen::VectorXd::Constant(assembly.patchCount(), smoothness),
+									 shapeSmoothness};
+	return detail::BendingMatrix(assembly, detail::placeMasses(assembly), dear,
 								 NewtonTuning().borderStiffness)
 		.lower();
+}
+
+} // namespace
+
+SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness) {
+	return metricOf(assembly, smoothness, 0);
 }
 
 Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairness) {
 	if (fairness == 0)
 		return {displacementMetric(assembly, smoothness), assembly.originalPositions};
 	const double shapeSmoothness = detail::shapeSmoothness(fairness);
-	const PatchAssembly fair = detail::fairShape(assembly, shapeSmoothness, {}, NewtonTuning(), 0);
-	return {displacementMetric(fair, smoothness + shapeSmoothness), fair.originalPositions};
+	const detail::Unfairness unfairness(assembly, shapeSmoothness, NewtonTuning(), 0);
+	const PatchAssembly fair = detail::fairShape(unfairness, {}, NewtonTuning());
+	return {metricOf(fair, smoothness, shapeSmoothness), fair.originalPositions};
 }
 
 double farthestMove(const PatchAssembly& assembly, const Positions& positions) {

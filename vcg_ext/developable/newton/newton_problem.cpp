@@ -15,7 +15,7 @@ NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const PatchAssembly&
 	  shapeSmoothness_(shapeSmoothness) {}
 
 void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
-	metric_.setSmoothness(smoothness.array() + shapeSmoothness_);
+	metric_.setSmoothness({smoothness, shapeSmoothness_});
 	jacobian_.setPlaceMass(metric_.weight());
 }
 

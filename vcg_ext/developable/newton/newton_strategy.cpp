@@ -4,6 +4,7 @@
 
 #include "coarsening.h"
 #include "displacement_metric.h"
+#include "fair_descent.h"
 #include "fair_shape.h"
 #include "normal_steps.h"
 #include "prolongation.h"
@@ -61,13 +62,15 @@ NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const Curvatu
 	  maxIterations_(maxIterations), memoryLimit_(memoryLimit), tuning_(tuning) {}
 
 /// With less room to move, for what the finest level adds.
-NewtonStrategy NewtonStrategy::coarser() const {
+/// \param fairerElsewhere  on a finer level than its own
+NewtonStrategy NewtonStrategy::coarser(bool fairerElsewhere) const {
 	NewtonStrategy result = *this;
 	if (!isCoarse_) {
 		result.goal_.farthest *= tuning_.coarseRoom;
 		result.tuning_.preferredMove *= tuning_.coarseRoom;
 	}
 	result.isCoarse_ = true;
+	result.fairerElsewhere_ = fairerElsewhere_ || fairerElsewhere;
 	return result;
 }
 
@@ -100,8 +103,12 @@ NewtonOutcome NewtonStrategy::solveShortest(const Level& level, const Positions&
 NewtonStrategy::Level NewtonStrategy::levelOf(const PatchAssembly& assembly, double coarseness) const {
 	Level level{assembly, coarseness, {}};
 	if (shapeSmoothness_ > 0)
-		level.fair = fairShape(assembly, shapeSmoothness_, goal_, tuning_, memoryLimit_);
+		level.fair = fairShape(unfairnessOf(assembly), goal_, tuning_);
 	return level;
+}
+
+Unfairness NewtonStrategy::unfairnessOf(const PatchAssembly& assembly) const {
+	return {assembly, shapeSmoothness_, tuning_, memoryLimit_};
 }
 
 /// A border may turn at one vertex by so much more as edges are longer.
@@ -113,8 +120,27 @@ NewtonProblem NewtonStrategy::problemOf(const Level& level) const {
 	return problem;
 }
 
+bool NewtonStrategy::descends(const Level& level) const {
+	return level.fair && !fairerElsewhere_ && level.assembly.placeCount() <= tuning_.fairPlaces;
+}
+
 NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& start,
 										 const Progress& progress) const {
+	constexpr double shareBefore = 0.2; // of the time
+	if (!descends(level))
+		return solveByCoarser(level, start, progress);
+	NewtonOutcome outcome = solveByCoarser(level, start, partOf(progress, 0, shareBefore));
+	if (outcome.ending != Ending::Reached)
+		return outcome;
+	const Unfairness unfairness = unfairnessOf(level.assembly);
+	FairDescent descent(unfairness, smoothness_, goal_, maxIterations_, memoryLimit_, tuning_, budget_);
+	outcome.ending = descent.run(outcome.positions, partOf(progress, shareBefore, 1));
+	outcome.iterations += descent.iterations();
+	return outcome;
+}
+
+NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions& start,
+											 const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
 	const int places = assembly.placeCount();
 	if (places <= tuning_.coarsest)
@@ -133,7 +159,7 @@ NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& st
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
 	NewtonOutcome coarseOutcome =
-		coarser().solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
+		coarser(descends(level)).solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
 	if (coarseOutcome.ending == Ending::Stopped || coarseOutcome.ending == Ending::TooFar) {
 		coarseOutcome.positions = start;
 		return coarseOutcome;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "newton_attempt.h"
+#include "unfairness.h"
 
 #include <optional>
 
@@ -16,8 +17,7 @@ class NewtonStrategy {
 public:
 	/// \param memoryLimit  see SparseSolver
 	/// \param fairness     the shape's own bending counts, too: waves that are shorter than this share of the
-	/// root of
-	///                     their patch's area are smoothed away
+	///                     root of their part's area are smoothed away
 	NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal, int maxIterations,
 				   double memoryLimit, const NewtonTuning& tuning);
 
@@ -41,12 +41,16 @@ private:
 		const PatchAssembly& reference() const { return fair ? *fair : assembly; }
 	};
 
+	Unfairness unfairnessOf(const PatchAssembly& assembly) const;
 	Level levelOf(const PatchAssembly& assembly, double coarseness) const;
 	NewtonProblem problemOf(const Level& level) const;
 	/// What is developable but for rounding needs no more than that. Stuck where it is not.
 	NewtonOutcome solveShortest(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome solveLevel(const Level& level, const Positions& start, const Progress& progress) const;
-	NewtonStrategy coarser() const;
+	NewtonOutcome solveByCoarser(const Level& level, const Positions& start, const Progress& progress) const;
+	/// Whether developable shapes are made fairer on this level, which is the finest that is not too dear.
+	bool descends(const Level& level) const;
+	NewtonStrategy coarser(bool fairerElsewhere) const;
 	NewtonOutcome solveCoarsest(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome refine(const Level& level, const Positions& displacement, const NewtonOutcome& coarse,
 						 const Progress& progress) const;
@@ -57,7 +61,8 @@ private:
 	double memoryLimit_;
 	NewtonTuning tuning_;
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
-	bool isCoarse_ = false; // another one is at work on the finest level
+	bool isCoarse_ = false;        // another one is at work on the finest level
+	bool fairerElsewhere_ = false; // on a finer level
 };
 
 } // namespace developable::detail

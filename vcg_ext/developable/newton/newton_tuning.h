@@ -19,7 +19,16 @@ struct NewtonTuning {
 	int limitedSteps = 60;        ///< until borders may turn as they like
 	int foresights = 2;           ///< in a step: times that limits are added which it would exceed
 
-	int fairSteps = 5; ///< from the original to its fair shape
+	// Fairness.
+	int fairSteps = 5;             ///< from the original to its fair shape
+	int fairPlaces = 6000;         ///< more: the way to fairer developable shapes is left to a coarser level
+	int fairRounds = 10;           ///< on this way
+	int fairAimSteps = 2;          ///< in a round, before the restoration
+	double fairEpsilon = 0.01;     ///< of these steps, share of the greatest response
+	double fairRestoration = 1e-3; ///< the same, where the restoration begins
+	int fairHalvings = 4;          ///< of a round's step
+	double fairGain = 0.01;        ///< share of the unfairness: less is next to nothing
+	int fairPatience = 2;          ///< rounds in a row that gain next to nothing
 
 	// Continuation in ε: from the original to where next to nothing of the curvature is left.
 	double firstEpsilon = 0.25; ///< share of the greatest response of g to a force: begins near the original

@@ -17,7 +17,7 @@ Positions prolonged(const PatchAssembly& fine, const PartialAssembly& coarse,
 	}
 	const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(
 		fine.patchCount(), tuning.prolongationBending / (double(coarseCount) * coarseCount));
-	const SparseMatrix matrix = BendingMatrix(fine, masses, smoothness, 0).lower();
+	const SparseMatrix matrix = BendingMatrix(fine, masses, {smoothness}, 0).lower();
 	SparseSolver solver(memoryLimit);
 	if (!solver.factorize(matrix))
 		return Positions::Zero(3, fine.placeCount());
