@@ -12,6 +12,7 @@ with and without noise.
 import math
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 import casadi
@@ -89,18 +90,30 @@ def defects(x: casadi.SX, triangles: np.ndarray) -> casadi.SX:
     return casadi.vertcat(*(2 * np.pi - sum(angles[v]) for v in sorted(angles) if v not in boundary))
 
 
+Limits = Callable[[casadi.SX, np.ndarray, np.ndarray], casadi.SX]
+
+
 def nearest(
-    points: np.ndarray, triangles: np.ndarray, smoothness: float, start: np.ndarray
+    points: np.ndarray,
+    triangles: np.ndarray,
+    smoothness: float,
+    start: np.ndarray,
+    limits: Limits = lambda x, points, triangles: casadi.SX(0, 1),
 ) -> tuple[np.ndarray, str]:
-    """Where IPOPT ends from a start, and what it says of it."""
+    """Where IPOPT ends from a start, and what it says of it.
+
+    limits: of positions (3 x vertices), original points and triangles: numbers that may not be negative.
+    """
     x = casadi.SX.sym("x", 3, len(points))
     weight = metric(points, triangles, smoothness).tocoo()
     w = casadi.DM.triplet(weight.row.tolist(), weight.col.tolist(), weight.data.tolist(), *weight.shape)
     d = x - points.T
-    problem = {"x": casadi.vec(x), "f": casadi.trace(d @ w @ d.T) / 2, "g": defects(x, triangles)}
+    curvature, others = defects(x, triangles), limits(x, points, triangles)
+    most = np.concatenate([np.zeros(curvature.shape[0]), np.full(others.shape[0], np.inf)])
+    problem = {"x": casadi.vec(x), "f": casadi.trace(d @ w @ d.T) / 2, "g": casadi.vertcat(curvature, others)}
     options = {"ipopt.print_level": 0, "print_time": False, "ipopt.max_iter": 500, "ipopt.tol": 1e-7}
     solver = casadi.nlpsol("nearest", "ipopt", problem, options)
-    result = solver(x0=start.ravel(), lbg=0, ubg=0)
+    result = solver(x0=start.ravel(), lbg=0, ubg=most)
     return np.array(result["x"]).reshape(-1, 3), solver.stats()["return_status"]
 
 
