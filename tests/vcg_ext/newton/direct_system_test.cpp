@@ -49,6 +49,24 @@ TEST(DirectSystem, HasTheDerivativeAsAMatrix) {
 	EXPECT_LT((change - problem.jacobian().apply(move)).norm(), 1e-12 * change.norm());
 }
 
+TEST(DirectSystem, TakesForeseenRowsInWithoutAnotherFactorisation) {
+	const PatchAssembly assembly = assembled(jitteredGrid(9, 9, saddle));
+	detail::NewtonProblem problem = problemOf(assembly);
+	problem.jacobian().freeBorders(false);
+	problem.jacobian().linearize(assembly.originalPositions);
+	const Eigen::VectorXd b = Eigen::VectorXd::Random(problem.jacobian().rowCount());
+	detail::DirectSystem direct(0);
+	Positions before, response, expected;
+	ASSERT_TRUE(direct.solve(problem.metric().matrix(), problem.jacobian(), b, 1e-3, before));
+	const Positions end = assembly.originalPositions + 0.05 * Positions::Random(3, assembly.placeCount());
+	ASSERT_TRUE(problem.jacobian().foresee(assembly.originalPositions, end));
+	ASSERT_TRUE(direct.solveForeseen(problem.metric().matrix(), problem.jacobian(), b, 1e-3, response));
+	ASSERT_TRUE(
+		detail::DirectSystem(0).solve(problem.metric().matrix(), problem.jacobian(), b, 1e-3, expected));
+	EXPECT_LT((response - expected).norm(), 1e-5 * expected.norm()); // much of A⁻¹f is taken away
+	EXPECT_GT((response - before).norm(), 1e-3 * expected.norm());
+}
+
 TEST(DirectSystem, SaysThatMemoryWouldNotDo) {
 	const PatchAssembly assembly = heldSaddle();
 	detail::NewtonProblem problem = problemOf(assembly);

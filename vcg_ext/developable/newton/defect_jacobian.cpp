@@ -76,6 +76,13 @@ bool DefectJacobian::foresee(const Positions& positions, const Positions& end) {
 	return foreseen_.size() > before;
 }
 
+std::vector<int> DefectJacobian::foreseenRows() const {
+	std::vector<int> rows;
+	for (const auto& [row, residual] : foreseen_)
+		rows.push_back(row);
+	return rows;
+}
+
 Eigen::VectorXd DefectJacobian::linearResidual(Eigen::VectorXd scaled) const {
 	for (const auto& [row, residual] : foreseen_)
 		scaled[row] = residual;

@@ -39,6 +39,9 @@ public:
 	/// step, get their derivatives too: so a step ends at the limit. \return whether there are any new ones
 	bool foresee(const Positions& positions, const Positions& end);
 
+	/// Of borders whose limits were foreseen since the last linearize(), in the order in which they were.
+	std::vector<int> foreseenRows() const;
+
 	/// The linearised rows at the positions of the derivative: as scaled() there, but how far they are from
 	/// their limits for borders that were foreseen.
 	Eigen::VectorXd linearResidual(Eigen::VectorXd scaled) const;

@@ -1,46 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// direct_system.cpp: the matrix and its solution.
+// direct_system.cpp: the matrix, its solution, and what a few more rows change.
 #include "direct_system.h"
+
+#include <Eigen/Cholesky>
 
 namespace developable::detail {
 
 namespace {
 
-/// The same matrix for each coordinate: of an entry i, j one at 3 i + k, 3 j + k for k = 0, 1, 2.
-SparseMatrix forThreeCoordinates(const SparseMatrix& matrix) {
-	std::vector<int> start(1, 0), rows;
-	std::vector<double> values;
-	rows.reserve(3 * matrix.nonZeros());
-	values.reserve(3 * matrix.nonZeros());
-	for (int column = 0; column < matrix.outerSize(); ++column)
-		for (int coordinate = 0; coordinate < 3; ++coordinate) {
-			for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
-				rows.push_back(3 * static_cast<int>(entry.row()) + coordinate);
-				values.push_back(entry.value());
-			}
-			start.push_back(static_cast<int>(rows.size()));
-		}
-	return Eigen::Map<const SparseMatrix>(3 * matrix.rows(), 3 * matrix.cols(),
-										  static_cast<Eigen::Index>(values.size()), start.data(), rows.data(),
-										  values.data());
-}
+/// Rows more than these cost as much as a factorisation.
+constexpr std::size_t fewRows = 40;
 
 } // namespace
 
 bool DirectSystem::solve(const SparseMatrix& metric, const DefectJacobian& jacobian, const Eigen::VectorXd& b,
 						 double epsilon, Positions& response) {
-	const SparseMatrix derivative = jacobian.matrix();
-	const SparseMatrix product = derivative.transpose() * derivative;
-	const SparseMatrix system =
-		SparseMatrix(product.triangularView<Eigen::Lower>()) / epsilon + forThreeCoordinates(metric);
-	if (system.nonZeros() != nonZeros_) {
+	const Eigen::Matrix3Xd coordinates = Eigen::Matrix3d::Identity().replicate(1, metric.cols());
+	const SparseMatrix& lower = system_.fill(jacobian.matrix(), coordinates, metric, epsilon);
+	if (lower.nonZeros() != nonZeros_) {
 		solver_ = SparseSolver(memoryLimit_);
-		nonZeros_ = system.nonZeros();
+		nonZeros_ = lower.nonZeros();
 	}
-	if (!solver_.factorize(system) || solver_.iterates())
+	rowsFactorized_ = jacobian.foreseenRows().size();
+	if (!solver_.factorize(lower) || solver_.iterates()) {
+		nonZeros_ = 0;
 		return false;
-	const Eigen::VectorXd force = derivative.transpose() * (b / epsilon);
+	}
+	const Eigen::VectorXd force = jacobian.applyTransposed(b).reshaped();
 	response = solver_.solve(force).reshaped(3, metric.cols());
+	return response.allFinite();
+}
+
+/// With R the new rows and A the matrix without them, (A + RᵀR)⁻¹ f = A⁻¹f − A⁻¹Rᵀ (1 + R A⁻¹Rᵀ)⁻¹ R A⁻¹f.
+bool DirectSystem::solveForeseen(const SparseMatrix& metric, const DefectJacobian& jacobian,
+								 const Eigen::VectorXd& b, double epsilon, Positions& response) {
+	const std::vector<int> rows = jacobian.foreseenRows();
+	const std::size_t count = rows.size() - rowsFactorized_;
+	if (nonZeros_ == 0 || count > fewRows)
+		return solve(metric, jacobian, b, epsilon, response);
+	const int newRows = static_cast<int>(count);
+	Eigen::MatrixXd transposed(3 * metric.cols(), newRows + 1); // Rᵀ and f
+	for (int i = 0; i < newRows; ++i)
+		transposed.col(i) =
+			jacobian.applyTransposed(Eigen::VectorXd::Unit(b.size(), rows[rowsFactorized_ + i])).reshaped();
+	transposed.col(newRows) = jacobian.applyTransposed(b).reshaped();
+	const Eigen::MatrixXd solved = solver_.solve(transposed);
+	const Eigen::MatrixXd products = transposed.leftCols(newRows).transpose() * solved;
+	const Eigen::MatrixXd small = products.leftCols(newRows) + Eigen::MatrixXd::Identity(newRows, newRows);
+	const Eigen::VectorXd x =
+		solved.col(newRows) - solved.leftCols(newRows) * small.llt().solve(products.col(newRows));
+	response = x.reshaped(3, metric.cols());
 	return response.allFinite();
 }
 

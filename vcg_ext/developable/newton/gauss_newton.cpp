@@ -21,7 +21,7 @@ double GaussNewton::step(double tau, double epsilon) {
 	for (int i = 0; i < problem_.tuning().foresights && !stopped_; ++i) {
 		if (!problem_.jacobian().foresee(run_.shape().positions, run_.shape().positions + whole))
 			break;
-		whole = direction(tau, epsilon);
+		whole = direction(tau, epsilon, true);
 	}
 	const int stiffenings = stiffens_ ? problem_.tuning().stiffenings : 0;
 	for (int i = 0; i < stiffenings && !stopped_; ++i) {
@@ -42,14 +42,14 @@ double GaussNewton::step(double tau, double epsilon) {
 		problem_.tuning().halvings, farthest_);
 }
 
-Positions GaussNewton::direction(double tau, double epsilon) {
+Positions GaussNewton::direction(double tau, double epsilon, bool foreseen) {
 	const Positions displacement = problem_.displacement(run_.shape());
 	const DefectJacobian& jacobian = problem_.jacobian();
 	const Eigen::VectorXd rightHandSide =
 		jacobian.linearResidual(run_.shape().scaledDefects) - tau * jacobian.apply(displacement);
 	Positions response;
 	stopped_ = !solver_.solve(
-		rightHandSide, epsilon, multipliers_, [&] { return run_.mayGoOn(); }, response);
+		rightHandSide, epsilon, multipliers_, [&] { return run_.mayGoOn(); }, response, foreseen);
 	if (stopped_)
 		return {};
 	return -tau * displacement - response;

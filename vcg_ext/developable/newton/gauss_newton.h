@@ -39,7 +39,8 @@ public:
 
 private:
 	double merit(const Shape& shape, double tau, double epsilon) const;
-	Positions direction(double tau, double epsilon);
+	/// \param foreseen  see MultiplierSolver
+	Positions direction(double tau, double epsilon, bool foreseen = false);
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;

@@ -22,23 +22,31 @@ double MultiplierSolver::findGreatestResponse(Eigen::VectorXd start) {
 }
 
 bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
-							 const std::function<bool()>& mayGoOn, Positions& response) {
-	const NewtonTuning& tuning = problem_.tuning();
+							 const std::function<bool()>& mayGoOn, Positions& response, bool foreseen) {
 	if (slow_) {
 		if (!mayGoOn())
 			return false;
-		problem_.budget().spend(double(tuning.directWork) * problem_.assembly().placeCount());
-		if (direct_.solve(problem_.metric().matrix(), problem_.jacobian(), b, epsilon, response))
+		if (solveDirectly(b, epsilon, foreseen && factorized_, response))
 			return true;
 		canFactorize_ = false;
 		slow_ = false;
 	}
+	factorized_ = false;
 	products_ = 0;
 	if (iterate(b, epsilon, y, mayGoOn) == Iterated::Stopped)
 		return false;
 	slow_ = canFactorize_ && products_ > slowProducts_;
 	response = problem_.metric().solve(problem_.jacobian().applyTransposed(y));
 	return true;
+}
+
+bool MultiplierSolver::solveDirectly(const Eigen::VectorXd& b, double epsilon, bool foreseen,
+									 Positions& response) {
+	problem_.budget().spend(double(problem_.tuning().directWork) * problem_.assembly().placeCount());
+	const SparseMatrix& metric = problem_.metric().matrix();
+	factorized_ = true;
+	return foreseen ? direct_.solveForeseen(metric, problem_.jacobian(), b, epsilon, response)
+					: direct_.solve(metric, problem_.jacobian(), b, epsilon, response);
 }
 
 Iterated MultiplierSolver::iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,

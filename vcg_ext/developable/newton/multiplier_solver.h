@@ -32,14 +32,18 @@ public:
 	/// \param y         the first guess; becomes the solution, or the best within the limit of steps
 	/// \param mayGoOn   called once a step; returns false to ask for a stop
 	/// \param response  3 x places
+	/// \param foreseen  whether W, ε and J are as they were last time, but for rows that were foreseen since
 	/// \return          false when asked to stop
 	bool solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
-			   const std::function<bool()>& mayGoOn, Positions& response);
+			   const std::function<bool()>& mayGoOn, Positions& response, bool foreseen = false);
 
 private:
 	Iterated iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
 					 const std::function<bool()>& mayGoOn);
 	Eigen::VectorXd preconditioned(const Eigen::VectorXd& residual, double epsilon) const;
+
+	/// Whether that could be done.
+	bool solveDirectly(const Eigen::VectorXd& b, double epsilon, bool foreseen, Positions& response);
 
 	NewtonProblem& problem_;
 	Eigen::VectorXd inverseMass_;
@@ -47,7 +51,7 @@ private:
 	DirectSystem direct_;
 	const int slowProducts_;
 	int products_ = 0; // in the last system
-	bool slow_ = false, canFactorize_ = true;
+	bool slow_ = false, canFactorize_ = true, factorized_ = false;
 	double greatestResponse_ = 0;
 };
 

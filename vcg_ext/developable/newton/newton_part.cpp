@@ -74,6 +74,9 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations,
 							options.memoryLimit, options.tuning);
 	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
+	// Of several panels the last may get there on the others' way.
+	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
+		outcome.ending = Ending::Reached;
 	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
 			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};
 }

@@ -65,14 +65,18 @@ public:
 	double descend(const Positions& direction, const Merit& merit, double slope, int halvings,
 				   double farthest = std::numeric_limits<double>::infinity());
 
-	/// The last shape that was within the bound on displacements; at first the start, which has to be.
-	const Positions& nearest() const { return lastNear_; }
+	/// Of the shapes within the bound on displacements the last that was developable, or else the least
+	/// curved; at first the start, which has to be within it.
+	const Positions& nearest() const { return nearest_.positions; }
+
+	/// Counts a shape among those, without going there.
+	void consider(const Shape& shape);
 
 	/// It led to a developable shape, but farther away than places may go.
-	bool farOff() const { return shape_.reached && !isNear(); }
+	bool farOff() const { return shape_.reached && !isNear(shape_); }
 
 private:
-	bool isNear() const { return shape_.farthest <= problem_.goal().farthest; }
+	bool isNear(const Shape& shape) const { return shape.farthest <= problem_.goal().farthest; }
 	void moveTo(Shape shape);
 
 	const NewtonProblem& problem_;
@@ -81,7 +85,7 @@ private:
 	int iterations_ = 0;
 	Shape shape_;
 	const Positions start_;
-	Positions lastNear_;
+	Shape nearest_;
 	double startCurvature_ = 0;
 };
 

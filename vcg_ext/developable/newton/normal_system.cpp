@@ -4,30 +4,50 @@
 
 namespace developable::detail {
 
-const SparseMatrix& NormalSystem::fill(const SparseMatrix& along, const Eigen::Matrix3Xd& normals,
-									   double epsilon) {
-	if (lower_.rows() == 0)
-		findPattern(along);
+const SparseMatrix& NormalSystem::fill(const SparseMatrix& along, const Eigen::Matrix3Xd& directions,
+									   const SparseMatrix& metric, double epsilon) {
+	if (lower_.rows() == 0 || metric.nonZeros() != metricEntries_)
+		findPattern(along, metric);
 	const RowMajor byRow = along;
-	for (int place = 0; place < lower_.outerSize(); ++place) {
-		for (SparseMatrix::InnerIterator entry(lower_, place); entry; ++entry) {
+	for (int column = 0; column < lower_.outerSize(); ++column) {
+		for (SparseMatrix::InnerIterator entry(lower_, column); entry; ++entry) {
 			entry.valueRef() = 0;
 			entryOfRow_[entry.row()] = &entry.valueRef();
 		}
-		for (SparseMatrix::InnerIterator own(along, place); own; ++own)
+		for (SparseMatrix::InnerIterator own(along, column); own; ++own)
 			for (RowMajor::InnerIterator other(byRow, own.row()); other; ++other)
-				if (other.col() >= place)
+				if (other.col() >= column)
 					*entryOfRow_[other.col()] += own.value() * other.value();
-		for (SparseMatrix::InnerIterator entry(metric_, place); entry; ++entry)
-			*entryOfRow_[entry.row()] +=
-				epsilon * entry.value() * normals.col(entry.row()).dot(normals.col(place));
+		addMetric(directions, metric, column, epsilon);
 	}
 	return lower_;
 }
 
-void NormalSystem::findPattern(const SparseMatrix& along) {
+void NormalSystem::addMetric(const Eigen::Matrix3Xd& directions, const SparseMatrix& metric, int column,
+							 double epsilon) {
+	for (SparseMatrix::InnerIterator entry(metric, column / perPlace_); entry; ++entry)
+		for (int i = 0; i < perPlace_; ++i) {
+			const int row = perPlace_ * static_cast<int>(entry.row()) + i;
+			// Coordinates have nothing to do with each other in W, and may have no entry.
+			const double cosine = directions.col(row).dot(directions.col(column));
+			if (row >= column && cosine != 0)
+				*entryOfRow_[row] += epsilon * entry.value() * cosine;
+		}
+}
+
+void NormalSystem::findPattern(const SparseMatrix& along, const SparseMatrix& metric) {
+	perPlace_ = static_cast<int>(along.cols() / metric.cols());
+	metricEntries_ = metric.nonZeros();
+	std::vector<Eigen::Triplet<double>> entries;
+	entries.reserve(perPlace_ * metricEntries_);
+	for (int place = 0; place < metric.outerSize(); ++place)
+		for (SparseMatrix::InnerIterator entry(metric, place); entry; ++entry)
+			for (int i = 0; i < perPlace_; ++i)
+				entries.emplace_back(perPlace_ * entry.row() + i, perPlace_ * place + i, 0);
+	SparseMatrix ofMetric(along.cols(), along.cols());
+	ofMetric.setFromTriplets(entries.begin(), entries.end());
 	const SparseMatrix product = along.transpose() * along;
-	lower_ = SparseMatrix(product.triangularView<Eigen::Lower>()) + metric_;
+	lower_ = SparseMatrix(product.triangularView<Eigen::Lower>()) + ofMetric;
 	entryOfRow_.resize(lower_.rows());
 }
 
