@@ -1,78 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bounded_part.cpp: coarse levels first, then refinement, then what the pattern says of it.
+// bounded_part.cpp: runs from one start or from several, and what the pattern says of their results.
 #include "bounded_part.h"
 
-#include "bounded_run.h"
+#include "bounded_levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace developable::detail {
 
 namespace {
-
-constexpr int coarsest = 2500;         ///< places; so few are solved directly
-constexpr int levelRatio = 4;          ///< between the numbers of places of two levels
-constexpr double leastReduction = 0.6; ///< of places, for a coarse level that is worth its while
-constexpr double softStart = 0.1;      ///< κ where a run begins from the original
-constexpr double hardStart = 100;      ///< and from a coarser level's result
-
-struct LevelOutcome {
-	BoundedEnding ending = BoundedEnding::Stuck;
-	int iterations = 0;
-	Positions positions;
-};
-
-class BoundedLevels {
-public:
-	BoundedLevels(const BoundedStrainOptions& options, double farthest, const BendingLimit& bending)
-		: options_(options), farthest_(farthest), bending_(bending) {}
-
-	LevelOutcome solve(const PatchAssembly& assembly, const Positions& start,
-					   const Progress& progress) const {
-		if (assembly.placeCount() > coarsest) {
-			const PartialAssembly coarse = coarserLevel(assembly, assembly.placeCount() / levelRatio);
-			if (coarse.assembly.placeCount() < leastReduction * assembly.placeCount())
-				return refine(assembly, start, coarse, progress);
-		}
-		return solveLevel(assembly, start, softStart, progress);
-	}
-
-private:
-	LevelOutcome refine(const PatchAssembly& assembly, const Positions& start, const PartialAssembly& coarse,
-						const Progress& progress) const {
-		constexpr double shareOfCoarse = 0.4; // of the time
-		const Positions coarseStart = coarse.assembly.originalPositions +
-									  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-		LevelOutcome outcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, shareOfCoarse));
-		const Progress rest = partOf(progress, shareOfCoarse, 1);
-		if (outcome.ending == BoundedEnding::Stopped)
-			return outcome;
-		const Positions moved =
-			assembly.originalPositions +
-			carriedOver(assembly, coarse, outcome.positions - coarse.assembly.originalPositions);
-		const bool usable = outcome.ending == BoundedEnding::Within && TriangleOrder(assembly).holds(moved);
-		LevelOutcome result = usable ? solveLevel(assembly, moved, hardStart, rest)
-									 : solveLevel(assembly, start, softStart, rest);
-		result.iterations += outcome.iterations;
-		return result;
-	}
-
-	LevelOutcome solveLevel(const PatchAssembly& assembly, const Positions& start, double stiffness,
-							const Progress& progress) const {
-		const FlatPatterns patterns = flattenPatches(assembly, start, {}, partOf(progress, 0, 0.05));
-		if (patterns.report.stopped)
-			return {BoundedEnding::Stopped, 0, start};
-		const Progress ofRun = partOf(progress, 0.05, 1);
-		BoundedRun run(assembly, patterns, start, options_, farthest_, bending_, stiffness, ofRun);
-		const BoundedEnding ending = run.run();
-		return {ending, run.iterations(), run.shape()};
-	}
-
-	const BoundedStrainOptions& options_;
-	const double farthest_;
-	const BendingLimit bending_;
-};
 
 FlattenOptions flattening(const BoundedStrainOptions& options, bool onlyWithin) {
 	FlattenOptions result;
@@ -113,24 +51,83 @@ bool within(const BoundedOutcome& outcome) {
 	return outcome.beyondBounds.maxCoeff() <= patternTolerance;
 }
 
-/// From a start beyond the bounds.
-BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
-						 const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
-						 const Progress& progress) {
-	LevelOutcome found =
-		BoundedLevels(options, farthest, bending).solve(part, start, partOf(progress, 0, 0.95));
+/// A pattern by itself is found more exactly than together with its shape: it decides.
+BoundedOutcome judged(const PatchAssembly& part, LevelOutcome found, const BoundedStrainOptions& options,
+					  const Progress& progress) {
 	BoundedOutcome result;
 	result.status = statusOf(found.ending, part);
 	result.iterations = found.iterations;
 	result.positions = std::move(found.positions);
-	// A pattern by itself is found more exactly than together with its shape: it decides.
-	if (result.status == Status::Stopped || !measure(part, options, false, partOf(progress, 0.95, 1), result))
+	if (result.status == Status::Stopped || !measure(part, options, false, progress, result))
 		return result;
 	if (within(result))
 		result.status = Status::Converged;
 	else if (result.status == Status::Converged)
 		result.status = statusOf(BoundedEnding::Stuck, part);
 	return result;
+}
+
+/// From a start beyond the bounds.
+BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
+						 const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
+						 const Progress& progress) {
+	const BoundedLevels levels(options, farthest, bending);
+	return judged(part, levels.solve(part, start, partOf(progress, 0, 0.95)), options,
+				  partOf(progress, 0.95, 1));
+}
+
+/// The same by way of the shape that is nearest at another smoothness.
+BoundedOutcome solveByWayOf(double smoothness, const PatchAssembly& part, const Positions& start,
+							const BoundedStrainOptions& options, double farthest, const Progress& progress) {
+	BoundedStrainOptions first = options;
+	first.smoothness = smoothness;
+	const LevelOutcome way = BoundedLevels(first, farthest, {}).solve(part, start, partOf(progress, 0, 0.6));
+	if (way.ending == BoundedEnding::Stopped)
+		return judged(part, way, options, progress);
+	const BoundedLevels levels(options, farthest, {});
+	LevelOutcome found = levels.continueFrom(part, way.positions, partOf(progress, 0.6, 0.95));
+	found.iterations += way.iterations;
+	return judged(part, std::move(found), options, partOf(progress, 0.95, 1));
+}
+
+/// At which waves shorter than so many edges are dear: of 2π α^¼ √A, where a patch of the area A has as many
+/// vertices as squares on an edge.
+double smoothnessOfWaves(double edges, const PatchAssembly& part) {
+	const double verticesOfPatch = part.triangleCount() / (2.0 * part.patchCount());
+	return std::min(std::pow(edges / (2 * pi), 4) / (verticesOfPatch * verticesOfPatch), 1.0);
+}
+
+/// From a start beyond the bounds, on several ways for small parts: of the many rows of waves that may take
+/// up what strain is too much, soft bounds first lead to one, and there may be nearer ones. Where the mesh
+/// has room for many waves of the asked smoothness, or it is large, the first way is as good as the others.
+BoundedOutcome nearestFrom(const PatchAssembly& part, const Positions& start,
+						   const BoundedStrainOptions& options, double farthest, const Progress& progress) {
+	constexpr int fewPlaces = 500;
+	constexpr double waves[] = {2, 4, 8}; // edges
+	const bool several = options.severalStarts && part.placeCount() <= fewPlaces;
+	double done = several ? 0.2 : 1;
+	BoundedOutcome best = solveFrom(part, start, options, farthest, {}, partOf(progress, 0, done));
+	if (!several || best.status == Status::Stopped || best.status == Status::LimitReached)
+		return best;
+	const Nearness near = nearness(part, options.smoothness, options.fairness);
+	for (const double edges : waves) {
+		const double smoothness = smoothnessOfWaves(edges, part);
+		BoundedOutcome next =
+			solveByWayOf(smoothness, part, start, options, farthest, partOf(progress, done, done + 0.8 / 3));
+		done += 0.8 / 3;
+		best.iterations += next.iterations;
+		if (next.status == Status::Stopped) {
+			best.status = Status::Stopped;
+			return best;
+		}
+		if (next.status != Status::Converged ||
+			(best.status == Status::Converged &&
+			 near.squaredDistance(next.positions) >= near.squaredDistance(best.positions)))
+			continue;
+		next.iterations = best.iterations;
+		best = std::move(next);
+	}
+	return best;
 }
 
 double shareBentTooTightly(const PatchAssembly& part, const Positions& positions, double leastRadius) {
@@ -181,7 +178,7 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 		return result;
 	if (!within(result)) {
 		if (farthest > 0)
-			result = solveFrom(part, result.positions, options, farthest, {}, partOf(progress, 0.05, 0.5));
+			result = nearestFrom(part, result.positions, options, farthest, partOf(progress, 0.05, 0.5));
 		else
 			result.status = statusOf(BoundedEnding::Stuck, part);
 	}
