@@ -10,7 +10,7 @@ constexpr int coarsest = 2500;         ///< places; so few are solved directly
 constexpr int levelRatio = 4;          ///< between the numbers of places of two levels
 constexpr double leastReduction = 0.6; ///< of places, for a coarse level that is worth its while
 constexpr double softStart = 0.1;      ///< κ where a run begins from the original
-constexpr double hardStart = 100;      ///< and from a shape within the bounds, or nearly
+constexpr double hardStart = 100;      ///< and from a coarser level's result
 
 } // namespace
 
@@ -21,12 +21,7 @@ LevelOutcome BoundedLevels::solve(const PatchAssembly& assembly, const Positions
 		if (coarse.assembly.placeCount() < leastReduction * assembly.placeCount())
 			return refine(assembly, start, coarse, progress);
 	}
-	return solveLevel(assembly, start, softStart, progress);
-}
-
-LevelOutcome BoundedLevels::continueFrom(const PatchAssembly& assembly, const Positions& start,
-										 const Progress& progress) const {
-	return solveLevel(assembly, start, hardStart, progress);
+	return continueFrom(assembly, start, softStart, progress);
 }
 
 LevelOutcome BoundedLevels::refine(const PatchAssembly& assembly, const Positions& start,
@@ -42,14 +37,14 @@ LevelOutcome BoundedLevels::refine(const PatchAssembly& assembly, const Position
 		assembly.originalPositions +
 		carriedOver(assembly, coarse, outcome.positions - coarse.assembly.originalPositions);
 	const bool usable = outcome.ending == BoundedEnding::Within && TriangleOrder(assembly).holds(moved);
-	LevelOutcome result =
-		usable ? continueFrom(assembly, moved, rest) : solveLevel(assembly, start, softStart, rest);
+	LevelOutcome result = usable ? continueFrom(assembly, moved, hardStart, rest)
+								 : continueFrom(assembly, start, softStart, rest);
 	result.iterations += outcome.iterations;
 	return result;
 }
 
-LevelOutcome BoundedLevels::solveLevel(const PatchAssembly& assembly, const Positions& start,
-									   double stiffness, const Progress& progress) const {
+LevelOutcome BoundedLevels::continueFrom(const PatchAssembly& assembly, const Positions& start,
+										 double stiffness, const Progress& progress) const {
 	const FlatPatterns patterns = flattenPatches(assembly, start, {}, partOf(progress, 0, 0.05));
 	if (patterns.report.stopped)
 		return {BoundedEnding::Stopped, 0, start};

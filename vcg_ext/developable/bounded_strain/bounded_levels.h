@@ -23,15 +23,14 @@ public:
 	/// way; the displacement found, carried over smoothly, is where the fine one starts, with hard bounds.
 	LevelOutcome solve(const PatchAssembly& assembly, const Positions& start, const Progress& progress) const;
 
-	/// With bounds that are hard already, so that the result is in the neighbourhood of a start within them.
-	LevelOutcome continueFrom(const PatchAssembly& assembly, const Positions& start,
+	/// With bounds that are less soft, so that the result is in the neighbourhood of a start within them.
+	/// \param stiffness  κ to begin with
+	LevelOutcome continueFrom(const PatchAssembly& assembly, const Positions& start, double stiffness,
 							  const Progress& progress) const;
 
 private:
 	LevelOutcome refine(const PatchAssembly& assembly, const Positions& start, const PartialAssembly& coarse,
 						const Progress& progress) const;
-	LevelOutcome solveLevel(const PatchAssembly& assembly, const Positions& start, double stiffness,
-							const Progress& progress) const;
 
 	const BoundedStrainOptions& options_;
 	const double farthest_;

@@ -76,20 +76,6 @@ BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
 				  partOf(progress, 0.95, 1));
 }
 
-/// The same by way of the shape that is nearest at another smoothness.
-BoundedOutcome solveByWayOf(double smoothness, const PatchAssembly& part, const Positions& start,
-							const BoundedStrainOptions& options, double farthest, const Progress& progress) {
-	BoundedStrainOptions first = options;
-	first.smoothness = smoothness;
-	const LevelOutcome way = BoundedLevels(first, farthest, {}).solve(part, start, partOf(progress, 0, 0.6));
-	if (way.ending == BoundedEnding::Stopped)
-		return judged(part, way, options, progress);
-	const BoundedLevels levels(options, farthest, {});
-	LevelOutcome found = levels.continueFrom(part, way.positions, partOf(progress, 0.6, 0.95));
-	found.iterations += way.iterations;
-	return judged(part, std::move(found), options, partOf(progress, 0.95, 1));
-}
-
 /// At which waves shorter than so many edges are dear: of 2π α^¼ √A, where a patch of the area A has as many
 /// vertices as squares on an edge.
 double smoothnessOfWaves(double edges, const PatchAssembly& part) {
@@ -97,37 +83,92 @@ double smoothnessOfWaves(double edges, const PatchAssembly& part) {
 	return std::min(std::pow(edges / (2 * pi), 4) / (verticesOfPatch * verticesOfPatch), 1.0);
 }
 
-/// From a start beyond the bounds, on several ways for small parts: of the many rows of waves that may take
+/// The nearest result of several runs.
+class NearestOfRuns {
+public:
+	NearestOfRuns(const PatchAssembly& part, const BoundedStrainOptions& options, double farthest,
+				  BoundedOutcome first)
+		: part_(part), options_(options), levels_(options, farthest, {}), farthest_(farthest),
+		  near_(nearness(part, options.smoothness, options.fairness)), best_(std::move(first)) {}
+
+	bool stopped() const { return best_.status == Status::Stopped; }
+	const BoundedOutcome& best() const { return best_; }
+
+	/// By way of the shape that is nearest at another smoothness.
+	void by(double smoothness, const Positions& start, const Progress& progress) {
+		BoundedStrainOptions first = options_;
+		first.smoothness = smoothness;
+		const LevelOutcome way =
+			BoundedLevels(first, farthest_, {}).solve(part_, start, partOf(progress, 0, 0.6));
+		best_.iterations += way.iterations;
+		if (way.ending == BoundedEnding::Stopped)
+			best_.status = Status::Stopped;
+		else
+			goOn(way.positions, hard, partOf(progress, 0.6, 1));
+	}
+
+	/// From the best result once more. \return whether that was worth its while
+	bool again(const Progress& progress) {
+		constexpr double worthwhile = 0.98; // of the squared distance
+		const double before = near_.squaredDistance(best_.positions);
+		if (best_.status == Status::Converged)
+			goOn(Positions(best_.positions), halfSoft, progress);
+		return near_.squaredDistance(best_.positions) < worthwhile * before;
+	}
+
+private:
+	static constexpr double hard = 100;   // κ that keeps the waves of a start
+	static constexpr double halfSoft = 1; // and with which they may move
+
+	void goOn(const Positions& start, double stiffness, const Progress& progress) {
+		BoundedOutcome next =
+			judged(part_, levels_.continueFrom(part_, start, stiffness, partOf(progress, 0, 0.9)), options_,
+				   partOf(progress, 0.9, 1));
+		best_.iterations += next.iterations;
+		if (next.status == Status::Stopped)
+			best_.status = Status::Stopped;
+		if (next.status != Status::Converged ||
+			(best_.status == Status::Converged &&
+			 near_.squaredDistance(next.positions) >= near_.squaredDistance(best_.positions)))
+			return;
+		next.iterations = best_.iterations;
+		best_ = std::move(next);
+	}
+
+	const PatchAssembly& part_;
+	const BoundedStrainOptions& options_;
+	const BoundedLevels levels_;
+	const double farthest_;
+	const Nearness near_;
+	BoundedOutcome best_;
+};
+
+/// From a start beyond the bounds, by several runs for small parts: of the many rows of waves that may take
 /// up what strain is too much, soft bounds first lead to one, and there may be nearer ones. Where the mesh
-/// has room for many waves of the asked smoothness, or it is large, the first way is as good as the others.
+/// has room for many waves of the asked smoothness, or it is large, the first run is nearly as good as the
+/// others.
 BoundedOutcome nearestFrom(const PatchAssembly& part, const Positions& start,
 						   const BoundedStrainOptions& options, double farthest, const Progress& progress) {
-	constexpr int fewPlaces = 500;
-	constexpr double waves[] = {2, 4, 8}; // edges
+	constexpr int fewPlaces = 500, mostTimes = 4;
+	constexpr double waves[] = {2, 4, 8};                 // edges
+	constexpr double first = 0.2, way = 0.2, more = 0.05; // shares of the time
 	const bool several = options.severalStarts && part.placeCount() <= fewPlaces;
-	double done = several ? 0.2 : 1;
-	BoundedOutcome best = solveFrom(part, start, options, farthest, {}, partOf(progress, 0, done));
-	if (!several || best.status == Status::Stopped || best.status == Status::LimitReached)
-		return best;
-	const Nearness near = nearness(part, options.smoothness, options.fairness);
-	for (const double edges : waves) {
-		const double smoothness = smoothnessOfWaves(edges, part);
-		BoundedOutcome next =
-			solveByWayOf(smoothness, part, start, options, farthest, partOf(progress, done, done + 0.8 / 3));
-		done += 0.8 / 3;
-		best.iterations += next.iterations;
-		if (next.status == Status::Stopped) {
-			best.status = Status::Stopped;
-			return best;
-		}
-		if (next.status != Status::Converged ||
-			(best.status == Status::Converged &&
-			 near.squaredDistance(next.positions) >= near.squaredDistance(best.positions)))
-			continue;
-		next.iterations = best.iterations;
-		best = std::move(next);
+	BoundedOutcome direct =
+		solveFrom(part, start, options, farthest, {}, partOf(progress, 0, several ? first : 1));
+	if (!several || direct.status == Status::Stopped || direct.status == Status::LimitReached)
+		return direct;
+	NearestOfRuns runs(part, options, farthest, std::move(direct));
+	double done = first;
+	const auto next = [&](double share) {
+		done += share;
+		return partOf(progress, done - share, std::min(done, 1.0));
+	};
+	for (const double edges : waves)
+		if (!runs.stopped())
+			runs.by(smoothnessOfWaves(edges, part), start, next(way));
+	for (int i = 0; i < mostTimes && !runs.stopped() && runs.again(next(more)); ++i) {
 	}
-	return best;
+	return runs.best();
 }
 
 double shareBentTooTightly(const PatchAssembly& part, const Positions& positions, double leastRadius) {
