@@ -232,7 +232,7 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 		return result;
 	const double anywhere = 10 * boxDiagonal(part.originalPositions);
 	const BoundedOutcome free =
-		solveFrom(part, part.originalPositions, options, anywhere, {}, partOf(progress, 0.7, 1));
+		nearestFrom(part, part.originalPositions, options, anywhere, partOf(progress, 0.7, 1));
 	if (free.status == Status::Stopped)
 		result.status = Status::Stopped;
 	else if (free.status == Status::Converged && farthestMove(part, free.positions) > farthest)
