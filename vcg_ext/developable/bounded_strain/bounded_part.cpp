@@ -76,6 +76,12 @@ BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
 				  partOf(progress, 0.95, 1));
 }
 
+/// Of a part so small its time hardly counts.
+bool ofFewPlaces(const PatchAssembly& part) {
+	constexpr int fewPlaces = 500;
+	return part.placeCount() <= fewPlaces;
+}
+
 /// At which waves shorter than so many edges are dear: of 2π α^¼ √A, where a patch of the area A has as many
 /// vertices as squares on an edge.
 double smoothnessOfWaves(double edges, const PatchAssembly& part) {
@@ -149,10 +155,10 @@ private:
 /// others.
 BoundedOutcome nearestFrom(const PatchAssembly& part, const Positions& start,
 						   const BoundedStrainOptions& options, double farthest, const Progress& progress) {
-	constexpr int fewPlaces = 500, mostTimes = 4;
+	constexpr int mostTimes = 4;
 	constexpr double waves[] = {2, 4, 8};                 // edges
 	constexpr double first = 0.2, way = 0.2, more = 0.05; // shares of the time
-	const bool several = options.severalStarts && part.placeCount() <= fewPlaces;
+	const bool several = options.severalStarts && ofFewPlaces(part);
 	BoundedOutcome direct =
 		solveFrom(part, start, options, farthest, {}, partOf(progress, 0, several ? first : 1));
 	if (!several || direct.status == Status::Stopped || direct.status == Status::LimitReached)
@@ -169,6 +175,19 @@ BoundedOutcome nearestFrom(const PatchAssembly& part, const Positions& start,
 	for (int i = 0; i < mostTimes && !runs.stopped() && runs.again(next(more)); ++i) {
 	}
 	return runs.best();
+}
+
+/// From the original, where no shape within the largest displacement was found: the one that would be found
+/// without asking for less than the usual one, or any.
+BoundedOutcome nearestAnywhere(const PatchAssembly& part, const BoundedStrainOptions& options,
+							   double farthest, const Progress& progress) {
+	const double usual = farthestAllowed(part, -1), anywhere = 10 * boxDiagonal(part.originalPositions);
+	BoundedOutcome found;
+	if (farthest < usual && ofFewPlaces(part)) // in large parts that limit makes no difference
+		found = nearestFrom(part, part.originalPositions, options, usual, partOf(progress, 0, 0.5));
+	if (found.status != Status::Stopped && found.status != Status::Converged)
+		found = solveFrom(part, part.originalPositions, options, anywhere, {}, partOf(progress, 0.5, 1));
+	return found;
 }
 
 double shareBentTooTightly(const PatchAssembly& part, const Positions& positions, double leastRadius) {
@@ -230,9 +249,7 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 							: result;
 	if (!options.searchBeyond || (result.status != Status::NeedsCut && result.status != Status::Stalled))
 		return result;
-	const double anywhere = 10 * boxDiagonal(part.originalPositions);
-	const BoundedOutcome free =
-		nearestFrom(part, part.originalPositions, options, anywhere, partOf(progress, 0.7, 1));
+	const BoundedOutcome free = nearestAnywhere(part, options, farthest, partOf(progress, 0.7, 1));
 	if (free.status == Status::Stopped)
 		result.status = Status::Stopped;
 	else if (free.status == Status::Converged && farthestMove(part, free.positions) > farthest)
