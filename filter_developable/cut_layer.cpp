@@ -206,6 +206,7 @@ void labelPanels(Layer& layer, const CutResult& result, const std::vector<int>& 
 		return panel.reason == Reason::TooFar ? panel.maxDisplacement : 0;
 	});
 	writeNumber("panel_border_overlaps", 0, [](const CutPanel&) { return 0; });
+	writeNumber("panel_stretch", -1, [](const CutPanel&) { return -1; }); // not measured
 	writeNumber("panel_curvature_before", 0, [](const CutPanel& panel) { return panel.curvatureBefore; });
 	writeNumber("panel_curvature", 0, [](const CutPanel& panel) { return panel.curvatureAfter; });
 	writeNumber("panel_max_angle_defect", 0, [](const CutPanel& panel) { return panel.maxAngleDefect; });

@@ -3,9 +3,12 @@
 #include "material_verdict.h"
 
 #include "departure.h"
+#include "face_data.h"
 #include "materials.h"
 
 #include "developable/geometry/geometry.h"
+
+#include <algorithm>
 
 namespace developable::plugin {
 
@@ -34,25 +37,36 @@ std::string pointInWords(const Eigen::Vector3d& at) {
 	return "(" + formatted(at[0], 4) + ", " + formatted(at[1], 4) + ", " + formatted(at[2], 4) + ")";
 }
 
-/// Where a map of the pattern is largest on the model.
-std::string placeOfLargest(const FlatPatterns& patterns, const Positions& positions, int lengthExponent) {
-	int vertex = 0;
-	patterns.stretch.cwiseMax(patterns.compression).maxCoeff(&vertex);
-	return pointInWords(
-		inMeshUnits(lengthExponent, positions.col(patterns.placeOfVertex[std::size_t(vertex)])));
+std::vector<PanelStrain> strainsOfPanels(const PatchAssembly& assembly, const FlatPatterns& patterns,
+										 const Positions& positions) {
+	std::vector<int> worstVertex(patterns.pieces.size(), -1);
+	const Eigen::VectorXd strain = patterns.stretch.cwiseMax(patterns.compression);
+	for (int vertex = 0; vertex < patterns.vertexCount(); ++vertex) {
+		int& worst = worstVertex[std::size_t(patterns.pieceOfVertex[std::size_t(vertex)])];
+		if (worst < 0 || strain[vertex] > strain[worst])
+			worst = vertex;
+	}
+	std::vector<PanelStrain> strains;
+	for (std::size_t i = 0; i < patterns.pieces.size(); ++i) {
+		const FlatPiece& piece = patterns.pieces[i];
+		const Eigen::Vector3d at =
+			piece.beyondBounds > patternTolerance
+				? barycentre(positions, assembly.trianglePlaces.col(piece.worstTriangle))
+				: Eigen::Vector3d(positions.col(patterns.placeOfVertex[std::size_t(worstVertex[i])]));
+		strains.push_back({piece.maxStretch, piece.maxCompression,
+						   piece.beyondBounds > patternTolerance ? piece.beyondBounds : 0,
+						   inMeshUnits(assembly.lengthExponent, at)});
+	}
+	return strains;
 }
 
 /// "panel 2 by 0.31 % at (1, 2, 3), panel 4 by ...", the worst first.
-std::string panelsBeyond(const std::vector<std::size_t>& beyond, const PatchAssembly& assembly,
-						 const FlatPatterns& patterns, const Positions& positions) {
+std::string panelsBeyond(const std::vector<std::size_t>& beyond, const std::vector<PanelStrain>& strains) {
 	std::string words;
-	for (std::size_t i = 0; i < std::min(beyond.size(), mostPanels); ++i) {
-		const FlatPiece& piece = patterns.pieces[beyond[i]];
-		const Eigen::Vector3d at = barycentre(positions, assembly.trianglePlaces.col(piece.worstTriangle));
+	for (std::size_t i = 0; i < std::min(beyond.size(), mostPanels); ++i)
 		words += (i == 0 ? "panel " : ", panel ") + std::to_string(beyond[i]) + " by " +
-				 formatted(perCent * piece.beyondBounds, 3) + " % at " +
-				 pointInWords(inMeshUnits(assembly.lengthExponent, at));
-	}
+				 formatted(perCent * strains[beyond[i]].beyondBounds, 3) + " % at " +
+				 pointInWords(strains[beyond[i]].at);
 	return beyond.size() > mostPanels ? words + ", and others by less" : words;
 }
 
@@ -66,25 +80,28 @@ std::string materialInWords(const ParameterValues& values) {
 								  : material.name;
 }
 
-std::string verdict(const std::string& material, const PatchAssembly& assembly, const FlatPatterns& patterns,
-					const Positions& positions) {
-	const FlattenReport& report = patterns.report;
+std::string verdict(const std::string& material, const StrainBounds& bounds,
+					const std::vector<PanelStrain>& strains) {
 	std::vector<std::size_t> beyond;
-	for (std::size_t i = 0; i < patterns.pieces.size(); ++i)
-		if (patterns.pieces[i].beyondBounds > patternTolerance)
+	for (std::size_t i = 0; i < strains.size(); ++i)
+		if (strains[i].beyondBounds > 0)
 			beyond.push_back(i);
 	std::stable_sort(beyond.begin(), beyond.end(), [&](std::size_t a, std::size_t b) {
-		return patterns.pieces[a].beyondBounds > patterns.pieces[b].beyondBounds;
+		return strains[a].beyondBounds > strains[b].beyondBounds;
 	});
-	const std::string bounds = boundsInWords(patterns.bounds);
 	std::string words = material + ": ";
 	if (beyond.empty())
-		words += "every panel is within its " + bounds;
+		words += "every panel is within its " + boundsInWords(bounds);
 	else
-		words += counted(beyond.size(), "panel is", "panels are") + " beyond " + bounds + ": " +
-				 panelsBeyond(beyond, assembly, patterns, positions);
-	return words + "; largest " + formatted(perCent * std::max(report.maxStretch, report.maxCompression), 3) +
-		   " % at " + placeOfLargest(patterns, positions, assembly.lengthExponent);
+		words += counted(beyond.size(), "panel is", "panels are") + " beyond " + boundsInWords(bounds) +
+				 ": " + panelsBeyond(beyond, strains);
+	const auto greatest = [](const PanelStrain& panel) { return std::max(panel.stretch, panel.compression); };
+	const PanelStrain& largest =
+		*std::max_element(strains.begin(), strains.end(), [&](const PanelStrain& a, const PanelStrain& b) {
+			return greatest(a) < greatest(b);
+		});
+	return words + "; largest " + formatted(perCent * greatest(largest), 3) + " % at " +
+		   pointInWords(largest.at);
 }
 
 } // namespace
@@ -94,8 +111,9 @@ void addStrains(Results& results, const FlattenReport& report) {
 	results.push_back({"max_compression", perCent * report.maxCompression, ""});
 }
 
-void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positions& positions,
-				   const KnownPatterns& known, Results& results) {
+std::vector<PanelStrain> judgeMaterial(FilterCall& call, const PatchAssembly& assembly,
+									   const Positions& positions, const KnownPatterns& known,
+									   Results& results) {
 	FlattenOptions options;
 	options.bounds = strainBounds(call.values);
 	options.grain = chosenGrain(call.values);
@@ -105,17 +123,36 @@ void judgeMaterial(FilterCall& call, const PatchAssembly& assembly, const Positi
 		addStrains(results, patterns.report);
 		results.push_back({"collapsed_faces", patterns.report.collapsedFaces, ""});
 		logWarnings(call, {results.back()});
-		if (!options.bounds.any())
-			return;
-		call.log(verdict(materialInWords(call.values), assembly, patterns, positions));
-		for (const std::string& note : patterns.report.notes)
-			call.log(note);
+		std::vector<PanelStrain> strains = strainsOfPanels(assembly, patterns, positions);
+		if (options.bounds.any()) {
+			call.log(verdict(materialInWords(call.values), patterns.bounds, strains));
+			for (const std::string& note : patterns.report.notes)
+				call.log(note);
+		}
+		return strains;
 	} catch (
 		const Error&) { // it has handles or one side only; the optimisation has done its part all the same
 		results.push_back({"max_stretch", -1.0, ""});
 		results.push_back({"max_compression", -1.0, ""});
 		results.push_back({"collapsed_faces", -1, ""});
+		return {};
 	}
+}
+
+void writeStrains(CMeshO& mesh, const PatchAssembly& assembly, const std::vector<PanelStrain>& strains) {
+	const auto write = [&](const char* name, double PanelStrain::*strain) {
+		Eigen::VectorXd values(strains.size());
+		for (std::size_t i = 0; i < strains.size(); ++i)
+			values[Eigen::Index(i)] = perCent * strains[i].*strain;
+		writeFaceScalars(mesh, name, assembly, values);
+	};
+	write("panel_stretch", &PanelStrain::stretch);
+	write("panel_compression", &PanelStrain::compression);
+	write("panel_beyond_bounds", &PanelStrain::beyondBounds);
+	Positions points(3, strains.size());
+	for (std::size_t i = 0; i < strains.size(); ++i)
+		points.col(Eigen::Index(i)) = strains[i].at;
+	writeFacePoints(mesh, "panel_strain_point", assembly, points);
 }
 
 void judgeBending(FilterCall& call, const PatchAssembly& assembly, const Positions& positions) {

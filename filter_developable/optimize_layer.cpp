@@ -149,7 +149,8 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 						  "{max_displacement} units of the mesh",
 						  results));
 	logPanels(call, panels);
-	if (report.status != Status::Stopped) {
+	result.stopped = report.status == Status::Stopped;
+	if (!result.stopped) {
 		logDepartures(call, results, assembly, result.positions);
 		write(call, assembly, result.positions, panels);
 		call.log(

@@ -17,6 +17,7 @@ struct Optimized {
 	PatchAssembly assembly;
 	Positions positions; ///< as the mesh holds them now
 	Results results;
+	bool stopped = false; ///< by the user: the mesh is untouched
 };
 
 /// Reads the layer, runs the method, measures what the host's scalar keeps of the result and writes it back

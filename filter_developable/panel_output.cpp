@@ -135,6 +135,8 @@ void writePanels(CMeshO& mesh, const PatchAssembly& assembly, const std::vector<
 	write("panel_nearest_developable",
 		  [](const PanelReport& panel) { return panel.verdict.nearestDevelopable; });
 	write("panel_border_overlaps", [](const PanelReport& panel) { return panel.verdict.borderOverlaps; });
+	write(
+		"panel_stretch", [](const PanelReport&) { return -1; }, -1);
 	Positions worst(3, panels.size());
 	for (std::size_t i = 0; i < panels.size(); ++i)
 		worst.col(Eigen::Index(i)) = panels[i].after.worstPoint;

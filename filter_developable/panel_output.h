@@ -28,7 +28,7 @@ void logPanels(const FilterCall& call, const std::vector<PanelReport>& panels);
 /// Writes the face attributes `panel` (-1 for faces that were not worked on) and `panel_status`,
 /// `panel_reason`, `panel_curvature_before`, `panel_curvature`, `panel_max_angle_defect`,
 /// `panel_mean_displacement`, `panel_max_displacement`, `panel_nearest_developable`, `panel_border_overlaps`,
-/// `panel_worst_point`.
+/// `panel_worst_point`; and `panel_stretch`, -1, as no strains are measured here.
 void writePanels(CMeshO& mesh, const PatchAssembly& assembly, const std::vector<PanelReport>& panels);
 
 } // namespace developable::plugin

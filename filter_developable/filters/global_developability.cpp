@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // global_developability.cpp: the filter Global Developability (Section 4).
+#include "../layer.h"
 #include "../material_verdict.h"
 #include "../materials.h"
 #include "../optimize_layer.h"
@@ -87,7 +88,10 @@ Results run(FilterCall& call) {
 	Optimized optimized = optimizeLayer(call, method);
 	optimized.results.push_back(
 		{"max_border_angle", borderAngles(optimized.assembly, optimized.positions).maxCoeff(), ""});
-	judgeMaterial(call, optimized.assembly, optimized.positions, known, optimized.results);
+	const std::vector<PanelStrain> strains =
+		judgeMaterial(call, optimized.assembly, optimized.positions, known, optimized.results);
+	if (!optimized.stopped && !strains.empty())
+		writeStrains(call.layer.mesh(), optimized.assembly, strains);
 	judgeBending(call, optimized.assembly, optimized.positions);
 	return optimized.results;
 }

@@ -28,6 +28,7 @@ from meshlab_developable.reports import (
     Measures,
     OptimizationReport,
     PanelReport,
+    PanelStrain,
     PatternReport,
     Status,
 )
@@ -52,6 +53,7 @@ __all__ = [
     "Measures",
     "OptimizationReport",
     "PanelReport",
+    "PanelStrain",
     "PatternError",
     "PatternReport",
     "PluginNotFoundError",

@@ -11,6 +11,7 @@ from meshlab_developable.departure import departure_of
 from meshlab_developable.errors import InvalidMeshError, WriteError
 from meshlab_developable.filters import FLATTEN, MAPS
 from meshlab_developable.flattening import FlatteningResult, flattened_layer
+from meshlab_developable.material_verdict import judged
 from meshlab_developable.methods import METHODS
 from meshlab_developable.panels import panel_reports
 from meshlab_developable.reports import Measures, OptimizationReport
@@ -50,7 +51,8 @@ def develop_file(
     meshes.set_verbosity(False)
     save_whole(meshes, target)
     mesh_after = meshes.current_mesh()
-    return report_type.from_values(result, panel_reports(mesh_after)).compared(departure_of(mesh_after))
+    report = report_type.from_values(result, panel_reports(mesh_after)).compared(departure_of(mesh_after))
+    return judged(report, values)
 
 
 def flatten_file(

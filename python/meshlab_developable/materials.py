@@ -162,6 +162,12 @@ def as_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
     return numbers
 
 
+def chosen_entry(material: Any) -> Entry:
+    """Of a preset, or of one's own; without a material, or with one that there is not, empty."""
+    chosen = resolved({"material": material})["material"]
+    return chosen if isinstance(chosen, Mapping) else materials().get(str(chosen), {})
+
+
 def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     """By how much an edge of a pattern within its bounds may differ from the model's, per cent of that.
 
@@ -169,7 +175,7 @@ def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     between the singular values of its triangle's map, which may be beyond the bounds of all three directions:
     where warp and weft are stretched and compressed, what the bias bears comes on top of that.
     """
-    entry = _entry_of(parameters.get("material"))
+    entry = chosen_entry(parameters.get("material"))
     limits = []
     for key, sign in (("compression", -1), ("stretch", 1)):
         bound = parameters.get(f"allowed_{key}", -1.0)
@@ -227,12 +233,6 @@ def _own_direction(values: Mapping[str, Any]) -> Direction | None:
     """That of `grain` where it is none of the filters' choices."""
     grain = values.get("grain", "")
     return None if isinstance(grain, str) else (grain[0], grain[1], grain[2])
-
-
-def _entry_of(material: Any) -> Entry:
-    """Of a preset, or of one's own; without a material, or with one that there is not, empty."""
-    chosen = resolved({"material": material})["material"]
-    return chosen if isinstance(chosen, Mapping) else materials().get(str(chosen), {})
 
 
 def _require_number(value: Any, what: str, most: float) -> None:

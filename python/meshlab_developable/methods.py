@@ -14,6 +14,7 @@ from meshlab_developable import mesh_sets, plugin
 from meshlab_developable.departure import departure_of
 from meshlab_developable.errors import InvalidParameterError
 from meshlab_developable.filters import GLOBAL, LOCAL, MAPS, Filter
+from meshlab_developable.material_verdict import judged
 from meshlab_developable.mesh_sets import Array, IndexArray, Source
 from meshlab_developable.panels import panel_reports
 from meshlab_developable.reports import GlobalReport, LocalReport, Measures, OptimizationReport
@@ -117,6 +118,7 @@ def make_developable(
     positions = np.array(mesh.vertex_matrix())
     faces = np.array(mesh.face_matrix())
     report = report_type.from_values(result, panel_reports(mesh)).compared(departure_of(mesh))
+    report = judged(report, values)
     return Developed(positions, faces, plugin.vertex_quality(mesh), report)
 
 

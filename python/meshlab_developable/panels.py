@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from meshlab_developable.reports import PanelReport
+from meshlab_developable.reports import PanelReport, PanelStrain
 
 _ATTRIBUTES = {  # of the faces, by the report's field
     "status": "panel_status",
@@ -40,7 +40,23 @@ def panel_reports(mesh: Any) -> list[PanelReport]:
         numbers |= {field: int(numbers[field]) for field in ("status", "reason", "border_overlaps")}
         place = tuple(map(float, worst[row]))
         index, faces = int(panels[row]), int(counts[row])
-        reports.append(
-            PanelReport.from_values(numbers | {"index": index, "faces": faces, "worst_point": place})
-        )
+        more = {"index": index, "faces": faces, "worst_point": place}
+        strain = _strain(mesh, int(first[row]))
+        reports.append(PanelReport.from_values(numbers | more | {"strain": strain}))
     return reports
+
+
+def _strain(mesh: Any, face: int) -> PanelStrain | None:
+    """Of the panel of a face, where it was measured."""
+    try:
+        stretch = float(mesh.face_custom_scalar_attribute_array("panel_stretch")[face])
+    except Exception:  # pymeshlab's own: the mesh is of an older version
+        return None
+    if stretch < 0:
+        return None
+    compression, beyond = (
+        float(mesh.face_custom_scalar_attribute_array(f"panel_{name}")[face])
+        for name in ("compression", "beyond_bounds")
+    )
+    x, y, z = map(float, mesh.face_custom_point_attribute_matrix("panel_strain_point")[face])
+    return PanelStrain(stretch, compression, beyond, (x, y, z))

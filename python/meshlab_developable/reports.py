@@ -9,7 +9,15 @@ from typing import Any, Self
 
 from meshlab_developable.description import WARNINGS, Reason, Status
 
-__all__ = ["LocalReport", "Measures", "OptimizationReport", "PanelReport", "PatternReport", "Status"]
+__all__ = [
+    "LocalReport",
+    "Measures",
+    "OptimizationReport",
+    "PanelReport",
+    "PanelStrain",
+    "PatternReport",
+    "Status",
+]
 
 
 DEVELOPABLE = (Status.CONVERGED, Status.NOTHING_TO_DO)
@@ -38,6 +46,16 @@ class Measures(_Report):
 
 
 @dataclasses.dataclass(frozen=True)
+class PanelStrain:
+    """How the material of one panel is strained from its pattern to its shape."""
+
+    max_stretch: float  # per cent, of its faces
+    max_compression: float
+    beyond_bounds: float  # by how many per cent of strain a face is beyond its bound, at most; 0: none is
+    at: tuple[float, float, float]  # where that is, or the greatest strain
+
+
+@dataclasses.dataclass(frozen=True)
 class PanelReport:
     """What an optimisation did to one panel. Lengths are in the mesh's unit."""
 
@@ -55,6 +73,7 @@ class PanelReport:
     ]  # where the angle defect is largest, or the border overlaps itself most
     nearest_developable: float  # how far the nearest developable shape found moves a vertex, where too far; 0
     border_overlaps: int  # border vertices where it overlaps itself when flat, though the curvature is gone
+    strain: PanelStrain | None = None  # None where it was not measured
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> Self:
@@ -103,6 +122,9 @@ class OptimizationReport(_Report):
     seconds: float
     panels: Sequence[PanelReport] = dataclasses.field(kw_only=True)
     warnings: tuple[str, ...] = dataclasses.field(default=(), kw_only=True)  # of a result far from its input
+    # Whether every panel is within what the material bears, or which is beyond it, where and by how much;
+    # empty where nothing is allowed.
+    material_verdict: str = dataclasses.field(default="", kw_only=True)
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any], panels: Sequence[PanelReport] = ()) -> Self:

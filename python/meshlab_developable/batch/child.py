@@ -21,6 +21,7 @@ from meshlab_developable.batch.thumbnails import write_thumbnail
 from meshlab_developable.departure import departure_of
 from meshlab_developable.errors import DevelopableError, LostFacesWarning
 from meshlab_developable.file_methods import save_whole
+from meshlab_developable.material_verdict import judged
 from meshlab_developable.methods import METHODS
 from meshlab_developable.panels import panel_reports
 from meshlab_developable.parent import OUT_OF_MEMORY, die_with
@@ -76,9 +77,11 @@ def _developed(request: dict[str, Any]) -> dict[str, Any]:
         write_thumbnail(path, meshes.current_mesh())
     panels = panel_reports(meshes.current_mesh())
     report = report_type.from_values(numbers, panels).compared(departure_of(meshes.current_mesh()))
+    report = judged(report, request["parameters"])
     state = State.DONE if report.developable else State.NOT_CONVERGED
     told = [dataclasses.asdict(panel) | {"status": panel.status.name.lower()} for panel in panels]
-    message = "; ".join((report.reason, *report.warnings, *_pattern_notes(request)))
+    said = (report.reason, report.material_verdict, *report.warnings, *_pattern_notes(request))
+    message = "; ".join(filter(None, said))
     return {"state": state, "message": message, "numbers": numbers, "panels": told}
 
 

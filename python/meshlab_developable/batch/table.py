@@ -20,6 +20,8 @@ from meshlab_developable.writing import written_whole
 
 _TYPES = {bool: pyarrow.bool_(), float: pyarrow.float64()}  # others are whole numbers, as filters return them
 
+_IN_OTHER_COLUMNS = ("panels", "warnings", "material_verdict")  # the message has these words
+
 
 def write_tables(out: Path, rows: Sequence[Row], method: str, scratch: Path) -> None:
     """A row an input: `input`, `state`, `message`, then the method's numbers, empty where there are none, and
@@ -45,7 +47,7 @@ def _without_formulas(table: pyarrow.Table) -> pyarrow.Table:
 def _table(rows: Sequence[Row], method: str) -> pyarrow.Table:
     report = METHODS[method][1]
     types = typing.get_type_hints(report)
-    names = [field.name for field in dataclasses.fields(report) if field.name not in ("panels", "warnings")]
+    names = [field.name for field in dataclasses.fields(report) if field.name not in _IN_OTHER_COLUMNS]
     schema = pyarrow.schema(
         [(name, pyarrow.string()) for name in ("input", "state", "message")]
         + [(name, _TYPES.get(types[name], pyarrow.int64())) for name in names]

@@ -27,13 +27,16 @@ def optimization_command(applied: Filter, explanation: str) -> click.Command:
         values = dataclasses.asdict(report) | {"status": report.status.name.lower()}
         said = values.pop("reason")
         warnings = values.pop("warnings")
+        of_material = values.pop("material_verdict")
         panels = values.pop("panels")
         if as_json:
             for panel in panels:
                 panel["status"] = panel["status"].name.lower()
             values["panels"] = panels
         words = {"input": mesh, "output": output, "message": said, "warnings": warnings}
-        shared.print_result(as_json, f"{output}: {said}", values, **words)
+        words["material_verdict"] = of_material
+        heading = f"{output}: {said}\n{of_material}" if of_material else f"{output}: {said}"
+        shared.print_result(as_json, heading, values, **words)
         for warning in () if as_json else warnings:
             click.echo(f"warning: {warning}", err=True)
         sys.exit(shared.Exit.DONE if report.developable else shared.Exit.NOT_CONVERGED)

@@ -1,78 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bounded_part.cpp: coarse levels first, then refinement, then what the pattern says of it.
+// bounded_part.cpp: runs from one start or from several, and what the pattern says of their results.
 #include "bounded_part.h"
 
-#include "bounded_run.h"
+#include "bounded_levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace developable::detail {
 
 namespace {
-
-constexpr int coarsest = 2500;         ///< places; so few are solved directly
-constexpr int levelRatio = 4;          ///< between the numbers of places of two levels
-constexpr double leastReduction = 0.6; ///< of places, for a coarse level that is worth its while
-constexpr double softStart = 0.1;      ///< κ where a run begins from the original
-constexpr double hardStart = 100;      ///< and from a coarser level's result
-
-struct LevelOutcome {
-	BoundedEnding ending = BoundedEnding::Stuck;
-	int iterations = 0;
-	Positions positions;
-};
-
-class BoundedLevels {
-public:
-	BoundedLevels(const BoundedStrainOptions& options, double farthest, const BendingLimit& bending)
-		: options_(options), farthest_(farthest), bending_(bending) {}
-
-	LevelOutcome solve(const PatchAssembly& assembly, const Positions& start,
-					   const Progress& progress) const {
-		if (assembly.placeCount() > coarsest) {
-			const PartialAssembly coarse = coarserLevel(assembly, assembly.placeCount() / levelRatio);
-			if (coarse.assembly.placeCount() < leastReduction * assembly.placeCount())
-				return refine(assembly, start, coarse, progress);
-		}
-		return solveLevel(assembly, start, softStart, progress);
-	}
-
-private:
-	LevelOutcome refine(const PatchAssembly& assembly, const Positions& start, const PartialAssembly& coarse,
-						const Progress& progress) const {
-		constexpr double shareOfCoarse = 0.4; // of the time
-		const Positions coarseStart = coarse.assembly.originalPositions +
-									  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-		LevelOutcome outcome = solve(coarse.assembly, coarseStart, partOf(progress, 0, shareOfCoarse));
-		const Progress rest = partOf(progress, shareOfCoarse, 1);
-		if (outcome.ending == BoundedEnding::Stopped)
-			return outcome;
-		const Positions moved =
-			assembly.originalPositions +
-			carriedOver(assembly, coarse, outcome.positions - coarse.assembly.originalPositions);
-		const bool usable = outcome.ending == BoundedEnding::Within && TriangleOrder(assembly).holds(moved);
-		LevelOutcome result = usable ? solveLevel(assembly, moved, hardStart, rest)
-									 : solveLevel(assembly, start, softStart, rest);
-		result.iterations += outcome.iterations;
-		return result;
-	}
-
-	LevelOutcome solveLevel(const PatchAssembly& assembly, const Positions& start, double stiffness,
-							const Progress& progress) const {
-		const FlatPatterns patterns = flattenPatches(assembly, start, {}, partOf(progress, 0, 0.05));
-		if (patterns.report.stopped)
-			return {BoundedEnding::Stopped, 0, start};
-		const Progress ofRun = partOf(progress, 0.05, 1);
-		BoundedRun run(assembly, patterns, start, options_, farthest_, bending_, stiffness, ofRun);
-		const BoundedEnding ending = run.run();
-		return {ending, run.iterations(), run.shape()};
-	}
-
-	const BoundedStrainOptions& options_;
-	const double farthest_;
-	const BendingLimit bending_;
-};
 
 FlattenOptions flattening(const BoundedStrainOptions& options, bool onlyWithin) {
 	FlattenOptions result;
@@ -113,24 +51,143 @@ bool within(const BoundedOutcome& outcome) {
 	return outcome.beyondBounds.maxCoeff() <= patternTolerance;
 }
 
-/// From a start beyond the bounds.
-BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
-						 const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
-						 const Progress& progress) {
-	LevelOutcome found =
-		BoundedLevels(options, farthest, bending).solve(part, start, partOf(progress, 0, 0.95));
+/// A pattern by itself is found more exactly than together with its shape: it decides.
+BoundedOutcome judged(const PatchAssembly& part, LevelOutcome found, const BoundedStrainOptions& options,
+					  const Progress& progress) {
 	BoundedOutcome result;
 	result.status = statusOf(found.ending, part);
 	result.iterations = found.iterations;
 	result.positions = std::move(found.positions);
-	// A pattern by itself is found more exactly than together with its shape: it decides.
-	if (result.status == Status::Stopped || !measure(part, options, false, partOf(progress, 0.95, 1), result))
+	if (result.status == Status::Stopped || !measure(part, options, false, progress, result))
 		return result;
 	if (within(result))
 		result.status = Status::Converged;
 	else if (result.status == Status::Converged)
 		result.status = statusOf(BoundedEnding::Stuck, part);
 	return result;
+}
+
+/// From a start beyond the bounds.
+BoundedOutcome solveFrom(const PatchAssembly& part, const Positions& start,
+						 const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
+						 const Progress& progress) {
+	const BoundedLevels levels(options, farthest, bending);
+	return judged(part, levels.solve(part, start, partOf(progress, 0, 0.95)), options,
+				  partOf(progress, 0.95, 1));
+}
+
+/// Of a part so small its time hardly counts.
+bool ofFewPlaces(const PatchAssembly& part) {
+	constexpr int fewPlaces = 500;
+	return part.placeCount() <= fewPlaces;
+}
+
+/// At which waves shorter than so many edges are dear: of 2π α^¼ √A, where a patch of the area A has as many
+/// vertices as squares on an edge.
+double smoothnessOfWaves(double edges, const PatchAssembly& part) {
+	const double verticesOfPatch = part.triangleCount() / (2.0 * part.patchCount());
+	return std::min(std::pow(edges / (2 * pi), 4) / (verticesOfPatch * verticesOfPatch), 1.0);
+}
+
+/// The nearest result of several runs.
+class NearestOfRuns {
+public:
+	NearestOfRuns(const PatchAssembly& part, const BoundedStrainOptions& options, double farthest,
+				  BoundedOutcome first)
+		: part_(part), options_(options), levels_(options, farthest, {}), farthest_(farthest),
+		  near_(nearness(part, options.smoothness, options.fairness)), best_(std::move(first)) {}
+
+	bool stopped() const { return best_.status == Status::Stopped; }
+	const BoundedOutcome& best() const { return best_; }
+
+	/// By way of the shape that is nearest at another smoothness.
+	void by(double smoothness, const Positions& start, const Progress& progress) {
+		BoundedStrainOptions first = options_;
+		first.smoothness = smoothness;
+		const LevelOutcome way =
+			BoundedLevels(first, farthest_, {}).solve(part_, start, partOf(progress, 0, 0.6));
+		best_.iterations += way.iterations;
+		if (way.ending == BoundedEnding::Stopped)
+			best_.status = Status::Stopped;
+		else
+			goOn(way.positions, hard, partOf(progress, 0.6, 1));
+	}
+
+	/// From the best result once more. \return whether that was worth its while
+	bool again(const Progress& progress) {
+		constexpr double worthwhile = 0.98; // of the squared distance
+		const double before = near_.squaredDistance(best_.positions);
+		if (best_.status == Status::Converged)
+			goOn(Positions(best_.positions), halfSoft, progress);
+		return near_.squaredDistance(best_.positions) < worthwhile * before;
+	}
+
+private:
+	static constexpr double hard = 100;   // κ that keeps the waves of a start
+	static constexpr double halfSoft = 1; // and with which they may move
+
+	void goOn(const Positions& start, double stiffness, const Progress& progress) {
+		BoundedOutcome next =
+			judged(part_, levels_.continueFrom(part_, start, stiffness, partOf(progress, 0, 0.9)), options_,
+				   partOf(progress, 0.9, 1));
+		best_.iterations += next.iterations;
+		if (next.status == Status::Stopped)
+			best_.status = Status::Stopped;
+		if (next.status != Status::Converged ||
+			(best_.status == Status::Converged &&
+			 near_.squaredDistance(next.positions) >= near_.squaredDistance(best_.positions)))
+			return;
+		next.iterations = best_.iterations;
+		best_ = std::move(next);
+	}
+
+	const PatchAssembly& part_;
+	const BoundedStrainOptions& options_;
+	const BoundedLevels levels_;
+	const double farthest_;
+	const Nearness near_;
+	BoundedOutcome best_;
+};
+
+/// From a start beyond the bounds, by several runs for small parts: of the many rows of waves that may take
+/// up what strain is too much, soft bounds first lead to one, and there may be nearer ones. Where the mesh
+/// has room for many waves of the asked smoothness, or it is large, the first run is nearly as good as the
+/// others.
+BoundedOutcome nearestFrom(const PatchAssembly& part, const Positions& start,
+						   const BoundedStrainOptions& options, double farthest, const Progress& progress) {
+	constexpr int mostTimes = 4;
+	constexpr double waves[] = {2, 4, 8};                 // edges
+	constexpr double first = 0.2, way = 0.2, more = 0.05; // shares of the time
+	const bool several = options.severalStarts && ofFewPlaces(part);
+	BoundedOutcome direct =
+		solveFrom(part, start, options, farthest, {}, partOf(progress, 0, several ? first : 1));
+	if (!several || direct.status == Status::Stopped || direct.status == Status::LimitReached)
+		return direct;
+	NearestOfRuns runs(part, options, farthest, std::move(direct));
+	double done = first;
+	const auto next = [&](double share) {
+		done += share;
+		return partOf(progress, done - share, std::min(done, 1.0));
+	};
+	for (const double edges : waves)
+		if (!runs.stopped())
+			runs.by(smoothnessOfWaves(edges, part), start, next(way));
+	for (int i = 0; i < mostTimes && !runs.stopped() && runs.again(next(more)); ++i) {
+	}
+	return runs.best();
+}
+
+/// From the original, where no shape within the largest displacement was found: the one that would be found
+/// without asking for less than the usual one, or any.
+BoundedOutcome nearestAnywhere(const PatchAssembly& part, const BoundedStrainOptions& options,
+							   double farthest, const Progress& progress) {
+	const double usual = farthestAllowed(part, -1), anywhere = 10 * boxDiagonal(part.originalPositions);
+	BoundedOutcome found;
+	if (farthest < usual && ofFewPlaces(part)) // in large parts that limit makes no difference
+		found = nearestFrom(part, part.originalPositions, options, usual, partOf(progress, 0, 0.5));
+	if (found.status != Status::Stopped && found.status != Status::Converged)
+		found = solveFrom(part, part.originalPositions, options, anywhere, {}, partOf(progress, 0.5, 1));
+	return found;
 }
 
 double shareBentTooTightly(const PatchAssembly& part, const Positions& positions, double leastRadius) {
@@ -181,7 +238,7 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 		return result;
 	if (!within(result)) {
 		if (farthest > 0)
-			result = solveFrom(part, result.positions, options, farthest, {}, partOf(progress, 0.05, 0.5));
+			result = nearestFrom(part, result.positions, options, farthest, partOf(progress, 0.05, 0.5));
 		else
 			result.status = statusOf(BoundedEnding::Stuck, part);
 	}
@@ -192,9 +249,7 @@ BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 							: result;
 	if (!options.searchBeyond || (result.status != Status::NeedsCut && result.status != Status::Stalled))
 		return result;
-	const double anywhere = 10 * boxDiagonal(part.originalPositions);
-	const BoundedOutcome free =
-		solveFrom(part, part.originalPositions, options, anywhere, {}, partOf(progress, 0.7, 1));
+	const BoundedOutcome free = nearestAnywhere(part, options, farthest, partOf(progress, 0.7, 1));
 	if (free.status == Status::Stopped)
 		result.status = Status::Stopped;
 	else if (free.status == Status::Converged && farthestMove(part, free.positions) > farthest)

@@ -16,11 +16,10 @@ struct BoundedOutcome {
 	double nearestDevelopable = 0; ///< see OptimizationReport
 };
 
-/// Large parts are first solved with a quarter of their places, in the same way; the displacement found,
-/// carried over smoothly, is where the fine one starts, with bounds that are hard already. Where no shape
-/// within the largest displacement was found, the same without that bound tells how far the nearest is.
-/// \param part   the patches of an assembly that share places, see partsOf
-/// \param start  3 x places; where it is farther from the original than places may go, the original serves
+/// Small parts are solved in several ways, of which the nearest result counts; see BoundedLevels for large
+/// ones. Where no shape within the largest displacement was found, the same without that bound tells how far
+/// the nearest is. \param part   the patches of an assembly that share places, see partsOf \param start  3 x
+/// places; where it is farther from the original than places may go, the original serves
 BoundedOutcome solveBounded(const PatchAssembly& part, const Positions& start,
 							const BoundedStrainOptions& options, const Progress& progress);
 

@@ -22,7 +22,10 @@ struct BoundedStrainOptions {
 	double tolerance = 2e-5;  ///< by how much a strain may be beyond its bound: less than in layouts
 	bool searchBeyond = true; ///< for OptimizationReport::nearestDevelopable, where none was found within
 							  ///< maxDisplacement
-	int threads = 0;          ///< on which parts are solved side by side; 0: as many as can work
+	/// Whether parts of up to 500 places are also looked for by way of shapes that are nearest at other
+	/// smoothnesses, which takes about five times as long.
+	bool severalStarts = true;
+	int threads = 0; ///< on which parts are solved side by side; 0: as many as can work
 };
 
 struct BoundedStrainReport : OptimizationReport {

@@ -32,11 +32,6 @@ ShapeAndPatternSteps::ShapeAndPatternSteps(const PatchAssembly& assembly, const 
 	: assembly_(assembly), nearness_(nearness), bound_(bound), bending_(bending), penalty_(penalty),
 	  grain_(grain), order_(assembly), area_(areaOf(assembly)) {}
 
-double ShapeAndPatternSteps::squaredDistance(const Positions& shape) const {
-	const Eigen::MatrixXd d = (shape - nearness_.aim).transpose();
-	return d.cwiseProduct(nearness_.metric.selfadjointView<Eigen::Lower>() * d).sum();
-}
-
 double ShapeAndPatternSteps::value(const ShapeAndPattern& unknowns) const {
 	return distanceCost(unknowns.shape) + bound_.value(penalty_.edge(), unknowns.shape) +
 		   bending_.value(unknowns.shape) + penalty_.value(unknowns.shape, unknowns.pattern);

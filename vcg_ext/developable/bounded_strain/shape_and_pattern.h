@@ -32,11 +32,10 @@ public:
 	/// \return the decrease of φ that the quadratic model promised, as a share; 0 where no step was any good
 	double step(ShapeAndPattern& unknowns);
 
-	/// ‖x − x*‖²_W, length².
-	double squaredDistance(const Positions& shape) const;
-
 	/// ½‖x − x*‖²_W / A.
-	double distanceCost(const Positions& shape) const { return squaredDistance(shape) / (2 * area_); }
+	double distanceCost(const Positions& shape) const {
+		return nearness_.squaredDistance(shape) / (2 * area_);
+	}
 
 	/// Whether the last step's system could be solved.
 	bool solvable() const { return solvable_; }

@@ -33,6 +33,11 @@ Nearness nearness(const PatchAssembly& assembly, double smoothness, double fairn
 	return {metricOf(fair, smoothness, shapeSmoothness), fair.originalPositions};
 }
 
+double Nearness::squaredDistance(const Positions& shape) const {
+	const Eigen::MatrixXd d = (shape - aim).transpose();
+	return d.cwiseProduct(metric.selfadjointView<Eigen::Lower>() * d).sum();
+}
+
 double farthestMove(const PatchAssembly& assembly, const Positions& positions) {
 	return (positions - assembly.originalPositions).colwise().norm().maxCoeff();
 }

@@ -17,6 +17,9 @@ SparseMatrix displacementMetric(const PatchAssembly& assembly, double smoothness
 struct Nearness {
 	SparseMatrix metric; ///< as displacementMetric has it
 	Positions aim;       ///< 3 x places: the original, with waves smoothed away where fairness asks for it
+
+	/// ‖x − aim‖²_W, length².
+	double squaredDistance(const Positions& shape) const;
 };
 
 /// \param fairness  0 to 1, as in ConstrainedNewtonOptions

@@ -33,6 +33,7 @@ void bringWithinBounds(const PatchAssembly& assembly, Positions& positions, cons
 	options.smoothness = material.smoothness;
 	options.maxDisplacement = maxDisplacement;
 	options.searchBeyond = false;
+	options.severalStarts = !brief;
 	if (brief)
 		options.maxIterations = briefSteps;
 	boundedStrain(assembly, positions, options, progress);
