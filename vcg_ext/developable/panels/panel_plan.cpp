@@ -19,40 +19,17 @@
 
 namespace developable::detail {
 
-namespace {
-
-constexpr double defaultDisplacement = 0.02; ///< of the diagonal of a part
-
-} // namespace
-
-PanelPlan::PanelPlan(GivenPatches given, const CutOptions& options, const Progress& progress)
-	: options_(options), given_(std::move(given)), planned_{given_.mesh, given_.origins,
-															CutSurface(assemblePatches(given_.mesh, {}))} {
-	tests_ = std::make_unique<PanelTests>(maxDisplacements(), options_.material, progress);
-}
-
-/// Per patch, length.
-std::vector<double> PanelPlan::maxDisplacements() const {
-	const PatchAssembly& assembly = planned_.surface.assembly();
-	if (options_.maxDisplacement >= 0)
-		return std::vector<double>(assembly.patchCount(), options_.maxDisplacement);
-	DisjointSets parts(assembly.placeCount() + assembly.patchCount());
-	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		parts.unite(assembly.placeOfCopy[copy], assembly.placeCount() + assembly.patchOfCopy[copy]);
-	std::vector<Eigen::AlignedBox3d> boxes(assembly.placeCount() + assembly.patchCount());
-	for (int place = 0; place < assembly.placeCount(); ++place)
-		boxes[parts.find(place)].extend(assembly.originalPositions.col(place));
-	std::vector<double> result;
-	result.reserve(assembly.patchCount());
-	for (int patch = 0; patch < assembly.patchCount(); ++patch)
-		result.push_back(defaultDisplacement *
-						 boxes[parts.find(assembly.placeCount() + patch)].diagonal().norm());
-	return result;
+PanelPlan::PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
+					 const Progress& progress)
+	: options_(options), given_(given),
+	  limits_(std::move(limits)), planned_{given_.mesh, given_.origins,
+										   CutSurface(assemblePatches(given_.mesh, {}))} {
+	tests_ = std::make_unique<PanelTests>(limits_, options_.material, progress);
 }
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
 	--sewingsLeft_;
-	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, maxDisplacements(),
+	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, limits_,
 							 options_.material, brief, progressOfRest());
 }
 
@@ -206,19 +183,30 @@ SewnPanels PanelPlan::smoothSeams() {
 	return sewn;
 }
 
-CutResult PanelPlan::run() {
+bool PanelPlan::search() {
 	joinUntilAllHold();
-	SewnPanels sewn = joinedWithDarts();
+	sewn_ = joinedWithDarts();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {
 		joinToSoFew();
-		sewn = sewTogether(false);
+		sewn_ = sewTogether(false);
 	}
+	return worstOf(sewn_) < 0;
+}
+
+void PanelPlan::takeOver(PlannedSurface found, bool held) {
+	planned_ = std::move(found);
+	sewn_ = sewTogether(false);
+	if (held && worstOf(sewn_) >= 0)
+		sewn_ = divideUntilAllHold();
+}
+
+CutResult PanelPlan::result() const {
 	CutResult result;
-	if (tests_->stopped()) {
+	if (stopped()) {
 		result.report.status = Status::Stopped;
 		return result;
 	}
-	result.report = reportOf(planned_.surface, sewn, given_.seamLength, options_);
+	result.report = reportOf(planned_.surface, sewn_, given_.seamLength, options_);
 	result.mesh = cutMesh(planned_, given_.vertexTaken);
 	return result;
 }

@@ -13,12 +13,22 @@ namespace developable::detail {
 
 class PanelPlan {
 public:
-	PanelPlan(GivenPatches given, const CutOptions& options, const Progress& progress);
+	/// \param limits  per patch, how far its panels may move, length
+	PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
+			  const Progress& progress);
 
-	CutResult run();
+	/// Finds panels. \return whether all hold when they are sewn together
+	bool search();
+
+	/// Takes over panels that were found on another copy of the patches. What held there should hold here,
+	/// too; else it is divided.
+	void takeOver(PlannedSurface found, bool held);
+
+	const PlannedSurface& planned() const { return planned_; }
+	bool stopped() const { return tests_->stopped(); }
+	CutResult result() const;
 
 private:
-	std::vector<double> maxDisplacements() const;
 	void joinToSoFew();
 
 	void joinUntilAllHold();
@@ -35,7 +45,9 @@ private:
 
 	const CutOptions options_;
 	const GivenPatches given_;
+	const std::vector<double> limits_; // per patch
 	PlannedSurface planned_;
+	SewnPanels sewn_; // what becomes of it
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
 	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help.
