@@ -4,6 +4,7 @@
 
 #include "canonical_form.h"
 #include "displacement_limits.h"
+#include "found_panels.h"
 #include "panel_plan.h"
 
 namespace developable {
@@ -39,12 +40,16 @@ CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const
 	PanelPlan here(given, limitsGiven(form, given, limits), options, progress);
 	for (double& limit : limits)
 		limit *= lessRoom;
-	PanelPlan plan(form.patches(), limits, optionsOf(form, options), progress);
-	const bool holds = plan.search();
-	if (plan.stopped())
-		return plan.result();
-	here.takeOver(form.carriedBack(plan.planned()), holds);
-	return here.result();
+	const auto find = options.symmetric ? findSymmetricPanels : findPanels;
+	const FoundPanels found = find(form.patches(), limits, optionsOf(form, options), progress);
+	CutResult result;
+	result.report.status = Status::Stopped;
+	if (found.stopped)
+		return result;
+	here.takeOver(form.carriedBack(found.planned), found.hold);
+	result = here.result();
+	result.report.notes.insert(result.report.notes.end(), found.notes.begin(), found.notes.end());
+	return result;
 }
 
 } // namespace

@@ -4,17 +4,22 @@
 
 #include "cut_report.h"
 #include "first_panels.h"
+#include "normal_clusters.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
 #include "seam_drawing.h"
+#include "seam_reasons.h"
 #include "selected_whole.h"
 #include "sewn_panels.h"
 #include "sewn_relief.h"
+#include "small_panels.h"
+#include "symmetric_joining.h"
 #include "taken_back_joins.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace developable::detail {
@@ -29,6 +34,7 @@ PanelPlan::PanelPlan(const GivenPatches& given, std::vector<double> limits, cons
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
 	--sewingsLeft_;
+	sewnWork_ += planned_.mesh.triangleCount();
 	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, limits_,
 							 options_.material, brief, progressOfRest());
 }
@@ -63,6 +69,7 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 				any = divideInTwo(planned_, options_, panel) || any;
 		if (!any)
 			break;
+		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
 		sewn = relieved(sewTogether(false));
 	}
 	return sewn;
@@ -74,9 +81,9 @@ Progress PanelPlan::progressOfRest() {
 
 /// As few panels as can be, if these hold when they are sewn together, or soon do; else those that were
 /// joined greedily, which are more and hold sooner.
-void PanelPlan::joinUntilAllHold() {
+void PanelPlan::joinUntilAllHold(double clusterDeviation) {
 	constexpr int roundsOfFew = 8, rounds = 12;
-	makeFirstPanels(planned_, *tests_, options_);
+	makeFirstPanels(planned_, *tests_, options_, clusterDeviation);
 	clusters_ = planned_.surface.panels();
 	joinPanels(planned_.surface, *tests_, history_);
 	const PlannedSurface joined = planned_;
@@ -107,6 +114,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 			return true;
 		const PlannedSurface joined = planned_;
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
+		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
 		const SewnPanels sewn = smoothSeams();
 		if (worstOf(sewn) < 0)
 			return true;
@@ -152,7 +160,8 @@ std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPan
 /// With darts where that makes all hold.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	constexpr std::size_t mostFailing = 3; // else panels are too large, and not just a little
-	if (!options_.darts || !options_.splitTriangles || worstFirst(sewn).size() > mostFailing)
+	if (mirror_ != nullptr || !options_.darts || !options_.splitTriangles ||
+		worstFirst(sewn).size() > mostFailing)
 		return sewn;
 	return SewnRelief(planned_, options_, *tests_, dartTips_, reliefsLeft_,
 					  [this] { return sewTogether(true); })
@@ -175,7 +184,10 @@ SewnPanels PanelPlan::smoothSeams() {
 		SewnPanels smoother = sewTogether(true);
 		if (holds(smoother))
 			return smoother;
-		const bool mayBeTighter = drawing.tightenAt(worstPoints(smoother));
+		std::vector<Eigen::Vector3d> worst = worstPoints(smoother);
+		for (std::size_t i = 0, count = worst.size(); i < count && mirror_ != nullptr; ++i)
+			worst.push_back(mirror_->mirrored(worst[i]));
+		const bool mayBeTighter = drawing.tightenAt(worst);
 		planned_ = safe;
 		if (!mayBeTighter)
 			break;
@@ -183,9 +195,10 @@ SewnPanels PanelPlan::smoothSeams() {
 	return sewn;
 }
 
-bool PanelPlan::search() {
-	joinUntilAllHold();
+bool PanelPlan::search(double clusterDeviation) {
+	joinUntilAllHold(clusterDeviation);
 	sewn_ = joinedWithDarts();
+	absorbSmallPanels();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {
 		joinToSoFew();
 		sewn_ = sewTogether(false);
@@ -193,11 +206,74 @@ bool PanelPlan::search() {
 	return worstOf(sewn_) < 0;
 }
 
+SymmetricOutcome PanelPlan::searchSymmetric(const MirrorPlane& plane) {
+	constexpr int rounds = 12;
+	constexpr double tighter = 0.95; // with every round, as where nothing mirrors anything
+	mirror_ = &plane;
+	const std::vector<int> mirrored = mirroredTriangles(planned_.mesh, plane);
+	makeFirstPanels(planned_, *tests_, options_, ClusterOptions().greatestDeviation);
+	CutSurface& surface = planned_.surface;
+	surface.relabel(surface.withoutFragments(
+		withSelectedWhole(planned_, options_, symmetricLabels(surface, plane, mirrored))));
+	clusters_ = surface.panels();
+	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
+		tests_->scaleLimits(std::pow(tighter, round));
+		joinSymmetrically(planned_.surface, *tests_, history_, plane, mirrored);
+		PlannedSurface joined = planned_;
+		sewn_ = smoothSeams();
+		std::set<int> failing;
+		for (const int panel : worstFirst(sewn_))
+			failing.insert(panelBefore(joined, planned_, panel));
+		if (failing.empty() ||
+			!takeBackSymmetrically(joined.surface, {failing.begin(), failing.end()}, history_, mirrored))
+			break;
+		if (round + 1 < rounds)
+			planned_ = std::move(joined);
+	}
+	if (worstOf(sewn_) < 0 && worstOf(sewn_ = sewTogether(false)) < 0)
+		return SymmetricOutcome::Pairs;
+	sewn_ = divideUntilAllHold();
+	return worstOf(sewn_) < 0 ? SymmetricOutcome::Divided : SymmetricOutcome::Fails;
+}
+
+/// What is too small goes to a neighbour, or takes from one, if all hold then.
+void PanelPlan::absorbSmallPanels() {
+	int tries = 8; // of sewing all together
+	for (const int panel : smallPanels(planned_.surface)) {
+		bool done = worstOf(sewn_) >= 0;
+		for (const int neighbour : neighboursOf(planned_.surface, panel))
+			done = done || tests_->stopped() || --tries < 0 || absorb(panel, neighbour);
+	}
+	if (worstOf(sewn_) >= 0 || tests_->stopped() || smallPanels(planned_.surface).empty())
+		return;
+	CutSurface grown = planned_.surface;
+	growSmallPanels(grown, *tests_, keptTriangles(planned_, options_));
+	keepIfAllHold(std::move(grown));
+}
+
+bool PanelPlan::absorb(int panel, int neighbour) {
+	CutSurface joined = planned_.surface;
+	const int both = joined.join(halfEdgesBetween(joined, panel, neighbour));
+	return isDisk(joined.meshOf(joined.trianglesOf(both))) && keepIfAllHold(std::move(joined));
+}
+
+bool PanelPlan::keepIfAllHold(CutSurface changed) {
+	std::swap(planned_.surface, changed);
+	SewnPanels sewn = sewTogether(false);
+	const bool holds = worstOf(sewn) < 0;
+	if (holds)
+		sewn_ = std::move(sewn);
+	else
+		std::swap(planned_.surface, changed);
+	return holds;
+}
+
 void PanelPlan::takeOver(PlannedSurface found, bool held) {
 	planned_ = std::move(found);
 	sewn_ = sewTogether(false);
 	if (held && worstOf(sewn_) >= 0)
 		sewn_ = divideUntilAllHold();
+	explainSeams(planned_.surface, *tests_, sewn_);
 }
 
 CutResult PanelPlan::result() const {
