@@ -4,7 +4,6 @@
 
 #include "cut_report.h"
 #include "first_panels.h"
-#include "normal_clusters.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
 #include "seam_drawing.h"
@@ -13,13 +12,11 @@
 #include "sewn_panels.h"
 #include "sewn_relief.h"
 #include "small_panels.h"
-#include "symmetric_joining.h"
 #include "taken_back_joins.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace developable::detail {
@@ -204,68 +201,6 @@ bool PanelPlan::search(double clusterDeviation) {
 		sewn_ = sewTogether(false);
 	}
 	return worstOf(sewn_) < 0;
-}
-
-SymmetricOutcome PanelPlan::searchSymmetric(const MirrorPlane& plane) {
-	constexpr int rounds = 12;
-	constexpr double tighter = 0.95; // with every round, as where nothing mirrors anything
-	mirror_ = &plane;
-	const std::vector<int> mirrored = mirroredTriangles(planned_.mesh, plane);
-	makeFirstPanels(planned_, *tests_, options_, ClusterOptions().greatestDeviation);
-	CutSurface& surface = planned_.surface;
-	surface.relabel(surface.withoutFragments(
-		withSelectedWhole(planned_, options_, symmetricLabels(surface, plane, mirrored))));
-	clusters_ = surface.panels();
-	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
-		tests_->scaleLimits(std::pow(tighter, round));
-		joinSymmetrically(planned_.surface, *tests_, history_, plane, mirrored);
-		PlannedSurface joined = planned_;
-		sewn_ = smoothSeams();
-		std::set<int> failing;
-		for (const int panel : worstFirst(sewn_))
-			failing.insert(panelBefore(joined, planned_, panel));
-		if (failing.empty() ||
-			!takeBackSymmetrically(joined.surface, {failing.begin(), failing.end()}, history_, mirrored))
-			break;
-		if (round + 1 < rounds)
-			planned_ = std::move(joined);
-	}
-	if (worstOf(sewn_) < 0 && worstOf(sewn_ = sewTogether(false)) < 0)
-		return SymmetricOutcome::Pairs;
-	sewn_ = divideUntilAllHold();
-	return worstOf(sewn_) < 0 ? SymmetricOutcome::Divided : SymmetricOutcome::Fails;
-}
-
-/// What is too small goes to a neighbour, or takes from one, if all hold then.
-void PanelPlan::absorbSmallPanels() {
-	int tries = 8; // of sewing all together
-	for (const int panel : smallPanels(planned_.surface)) {
-		bool done = worstOf(sewn_) >= 0;
-		for (const int neighbour : neighboursOf(planned_.surface, panel))
-			done = done || tests_->stopped() || --tries < 0 || absorb(panel, neighbour);
-	}
-	if (worstOf(sewn_) >= 0 || tests_->stopped() || smallPanels(planned_.surface).empty())
-		return;
-	CutSurface grown = planned_.surface;
-	growSmallPanels(grown, *tests_, keptTriangles(planned_, options_));
-	keepIfAllHold(std::move(grown));
-}
-
-bool PanelPlan::absorb(int panel, int neighbour) {
-	CutSurface joined = planned_.surface;
-	const int both = joined.join(halfEdgesBetween(joined, panel, neighbour));
-	return isDisk(joined.meshOf(joined.trianglesOf(both))) && keepIfAllHold(std::move(joined));
-}
-
-bool PanelPlan::keepIfAllHold(CutSurface changed) {
-	std::swap(planned_.surface, changed);
-	SewnPanels sewn = sewTogether(false);
-	const bool holds = worstOf(sewn) < 0;
-	if (holds)
-		sewn_ = std::move(sewn);
-	else
-		std::swap(planned_.surface, changed);
-	return holds;
 }
 
 void PanelPlan::takeOver(PlannedSurface found, bool held) {
