@@ -205,6 +205,7 @@ void labelPanels(Layer& layer, const CutResult& result, const std::vector<int>& 
 	writeNumber("panel_nearest_developable", 0, [](const CutPanel& panel) {
 		return panel.reason == Reason::TooFar ? panel.maxDisplacement : 0;
 	});
+	writeNumber("panel_neighbour", -1, [](const CutPanel& panel) { return panel.neighbour; });
 	writeNumber("panel_border_overlaps", 0, [](const CutPanel&) { return 0; });
 	writeNumber("panel_stretch", -1, [](const CutPanel&) { return -1; }); // not measured
 	writeNumber("panel_curvature_before", 0, [](const CutPanel& panel) { return panel.curvatureBefore; });
@@ -213,11 +214,15 @@ void labelPanels(Layer& layer, const CutResult& result, const std::vector<int>& 
 	writeNumber("panel_mean_displacement", 0, [](const CutPanel& panel) { return panel.meanDisplacement; });
 	writeNumber("panel_max_displacement", 0, [](const CutPanel& panel) { return panel.maxDisplacement; });
 	using Point = vcg::Point3<host::Scalar>;
-	write("panel_worst_point", Point(0, 0, 0), [&](int panel) {
-		const Eigen::Vector3d& worst = result.report.panels[std::size_t(panel)].worstPoint;
-		return Point(narrowed<host::Scalar>(worst[0]), narrowed<host::Scalar>(worst[1]),
-					 narrowed<host::Scalar>(worst[2]));
-	});
+	const auto writePoint = [&](const char* name, auto CutPanel::*point) {
+		write(name, Point(0, 0, 0), [&](int panel) {
+			const Eigen::Vector3d& at = result.report.panels[std::size_t(panel)].*point;
+			return Point(narrowed<host::Scalar>(at[0]), narrowed<host::Scalar>(at[1]),
+						 narrowed<host::Scalar>(at[2]));
+		});
+	};
+	writePoint("panel_worst_point", &CutPanel::worstPoint);
+	writePoint("panel_seam_point", &CutPanel::seamPoint);
 }
 
 void colourPanels(Layer& layer, const CutResult& result, const std::vector<int>& faceOfTriangle) {

@@ -8,17 +8,12 @@
 #include "developable/panels/cut_into_panels.h"
 #include "developable/vcg_mesh/vcg_mesh.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace developable::plugin {
 
 namespace {
-
-/// What is a parameter already and does not work yet.
-void refuseWhatDoesNotWork(const ParameterValues& values) {
-	if (values.boolean("symmetric"))
-		throw InvalidParameter("Symmetric panels do not work yet: switch 'symmetric' off.");
-}
 
 CutOptions optionsOf(const ParameterValues& values, int lengthExponent) {
 	CutOptions options;
@@ -27,6 +22,7 @@ CutOptions optionsOf(const ParameterValues& values, int lengthExponent) {
 	options.maxPanels = values.integer("max_panels");
 	options.darts = values.boolean("darts");
 	options.creaseAngle = values.number("crease_angle");
+	options.symmetric = values.boolean("symmetric");
 	options.keepSelected = values.boolean("keep_selected_whole");
 	options.splitTriangles = values.boolean("cut");
 	return options;
@@ -45,6 +41,7 @@ void toMeshUnits(int lengthExponent, CutReport& report) {
 		inUnits(panel.meanDisplacement);
 		inUnits(panel.maxDisplacement);
 		panel.worstPoint = inMeshUnits(lengthExponent, panel.worstPoint);
+		panel.seamPoint = inMeshUnits(lengthExponent, panel.seamPoint);
 	}
 }
 
@@ -62,9 +59,26 @@ Results resultsOf(const CutReport& report, double seconds) {
 	};
 }
 
+/// Why a panel has its longest seam, or does not hold; empty when there is nothing to say.
+std::string reasonOf(const CutPanel& panel) {
+	if (panel.neighbour < 0 || !panel.developable)
+		return {};
+	return reasonInWords(Status::Converged, panel.reason,
+						 {{"neighbour", panel.neighbour, ""},
+						  {"seam_x", panel.seamPoint[0], ""},
+						  {"seam_y", panel.seamPoint[1], ""},
+						  {"seam_z", panel.seamPoint[2], ""}});
+}
+
+void logReasons(const FilterCall& call, const CutReport& report) {
+	constexpr std::size_t mostLines = 20;
+	for (std::size_t panel = 0; panel < std::min(mostLines, report.panels.size()); ++panel)
+		if (const std::string reason = reasonOf(report.panels[panel]); !reason.empty())
+			call.log("panel " + std::to_string(panel) + ": " + reason);
+}
+
 Results run(FilterCall& call) {
 	const auto start = std::chrono::steady_clock::now();
-	refuseWhatDoesNotWork(call.values);
 	PatchOptions patches = patchOptions(call.values);
 	const TriangleMesh mesh = readTriangles(call.layer.mesh(), patches.seams);
 	patches.weldDistance = inWorkingUnits(mesh.lengthExponent, patches.weldDistance);
@@ -80,6 +94,7 @@ Results run(FilterCall& call) {
 		labelPanels(call.layer, result, faces);
 		if (call.values.boolean("colorize"))
 			colourPanels(call.layer, result, faces);
+		logReasons(call, result.report);
 		for (const std::string& note : result.report.notes)
 			call.log(note);
 	}
@@ -113,8 +128,7 @@ std::vector<Parameter> parameters() {
 					   "Seams like to lie on edges whose faces make a sharper turn than this."),
 		boolParameter(
 			"symmetric", false, "Left mirrors right",
-			"Left and right panels of a surface that is its own mirror image mirror each other; this does not work "
-			"yet."),
+			"Left and right panels of a surface that is its own mirror image mirror each other, and have no darts."),
 		boolParameter(
 			"cut", true, "Cut open",
 			"Double the vertices along seams and darts, and split faces where seams cross them; else "

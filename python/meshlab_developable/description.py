@@ -535,7 +535,7 @@ CUT = Filter(
             Boolean(),
             False,
             "",
-            "Left and right panels of a surface that is its own mirror image mirror each other; this does not work yet.",
+            "Left and right panels of a surface that is its own mirror image mirror each other, and have no darts.",
         ),
         Parameter(
             "cut",
@@ -604,6 +604,11 @@ class Reason(enum.IntEnum):
     BEYOND_BOUNDS = 7
     WITHIN_BOUNDS = 8
     BORDER_OVERLAPS = 9
+    SEAM_TOO_FAR = 10
+    SEAM_OVERLAPS = 11
+    SEAM_NO_SHEET = 12
+    SEAM_BEYOND_BOUNDS = 13
+    SEAM_SEWN = 14
 
     @property
     def text(self) -> str:
@@ -622,6 +627,11 @@ _REASON_TEXTS = {
     Reason.BEYOND_BOUNDS: "no shape near this one has a pattern within the allowed strain: it needs a cut in {patches_needing_cut} of {patches} patches, first of all at ({worst_x}, {worst_y}, {worst_z})",
     Reason.WITHIN_BOUNDS: "every panel has a pattern within the allowed strain",
     Reason.BORDER_OVERLAPS: "the curvature is gone, but the angles of a panel's faces add up to more than a full turn at border vertices ({border_overlaps} in number), first of all at ({worst_x}, {worst_y}, {worst_z}): laid flat it overlaps itself there; a cut that ends there would do, or more room to move (max_displacement, fewer vertices held still)",
+    Reason.SEAM_TOO_FAR: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it a vertex would have to move farther than max_displacement allows",
+    Reason.SEAM_OVERLAPS: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would overlap itself when laid flat",
+    Reason.SEAM_NO_SHEET: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would close round on itself, as a ring, a tube or a ball, and not be one sheet",
+    Reason.SEAM_BEYOND_BOUNDS: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would be strained by more than the material bears",
+    Reason.SEAM_SEWN: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), was found to help: without it the panel would do by itself, but hardly with smooth seams and sewn to the others",
 }
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from meshlab_developable.reports import PanelReport, PanelStrain
+from meshlab_developable.reports import SEAM_REASONS, PanelReport, PanelStrain
 
 _ATTRIBUTES = {  # of the faces, by the report's field
     "status": "panel_status",
@@ -20,6 +20,7 @@ _ATTRIBUTES = {  # of the faces, by the report's field
     "nearest_developable": "panel_nearest_developable",
     "border_overlaps": "panel_border_overlaps",
 }
+_OF_A_CUT = "panel_neighbour", "panel_seam_point"  # what a reason to be cut there speaks of
 
 
 def panel_reports(mesh: Any) -> list[PanelReport]:
@@ -38,6 +39,7 @@ def panel_reports(mesh: Any) -> list[PanelReport]:
     for row in np.flatnonzero(panels >= 0):
         numbers: dict[str, Any] = {field: float(column[row]) for field, column in columns.items()}
         numbers |= {field: int(numbers[field]) for field in ("status", "reason", "border_overlaps")}
+        numbers |= _seam_of(mesh, int(first[row])) if numbers["reason"] in SEAM_REASONS else {}
         place = tuple(map(float, worst[row]))
         index, faces = int(panels[row]), int(counts[row])
         more = {"index": index, "faces": faces, "worst_point": place}
@@ -60,3 +62,13 @@ def _strain(mesh: Any, face: int) -> PanelStrain | None:
     )
     x, y, z = map(float, mesh.face_custom_point_attribute_matrix("panel_strain_point")[face])
     return PanelStrain(stretch, compression, beyond, (x, y, z))
+
+
+def _seam_of(mesh: Any, face: int) -> dict[str, Any]:
+    """What the words of a reason to be cut somewhere take."""
+    neighbour, point = _OF_A_CUT
+    place = mesh.face_custom_point_attribute_matrix(point)[face]
+    return {
+        "neighbour": int(mesh.face_custom_scalar_attribute_array(neighbour)[face]),
+        **dict(zip(("seam_x", "seam_y", "seam_z"), map(float, place), strict=True)),
+    }

@@ -45,6 +45,16 @@ class Measures(_Report):
     total_absolute_curvature: float  # C, rad
 
 
+# Why a panel that was cut has its longest seam.
+SEAM_REASONS = (
+    Reason.SEAM_TOO_FAR,
+    Reason.SEAM_OVERLAPS,
+    Reason.SEAM_NO_SHEET,
+    Reason.SEAM_BEYOND_BOUNDS,
+    Reason.SEAM_SEWN,
+)
+
+
 @dataclasses.dataclass(frozen=True)
 class PanelStrain:
     """How the material of one panel is strained from its pattern to its shape."""
@@ -62,7 +72,7 @@ class PanelReport:
     index: int  # from 0, as the face attribute `panel` has it
     faces: int
     status: Status
-    reason: str  # why it ended so
+    reason: str  # why it ended so; of a cut: why it has its longest seam
     curvature_before: float  # C, rad
     curvature_after: float
     max_angle_defect: float  # rad
@@ -81,7 +91,8 @@ class PanelReport:
         worst = dict(zip(("worst_x", "worst_y", "worst_z"), values["worst_point"], strict=True))
         one = {"patches": 1, "patches_needing_cut": 1}  # in the words of reports of all panels
         words = {"status": Status(values["status"]), "reason": _reason_in_words({**values, **worst, **one})}
-        return cls(**{**values, **words})
+        fields = {field.name for field in dataclasses.fields(cls)}
+        return cls(**{name: value for name, value in {**values, **words}.items() if name in fields})
 
 
 @dataclasses.dataclass(frozen=True)

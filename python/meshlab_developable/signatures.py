@@ -243,8 +243,8 @@ def cut_into_panels(
             displacement; 0 means as many as it takes.
         darts: Where a cut from the border is enough a panel stays whole and gets a dart.
         crease_angle (°; ≤ 180): Seams like to lie on edges whose faces make a sharper turn than this.
-        symmetric: Left and right panels of a surface that is its own mirror image mirror each other; this
-            does not work yet.
+        symmetric: Left and right panels of a surface that is its own mirror image mirror each other, and
+            have no darts.
         cut: Double the vertices along seams and darts, and split faces where seams cross them; else faces
             are only labelled.
         colorize: Colour the faces by panel.

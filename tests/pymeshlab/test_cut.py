@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 import meshlab_developable
 import numpy as np
 import pymeshlab
@@ -51,6 +53,45 @@ def test_each_panel_is_described(panels):
     assert panels.report.smallest_panel_area > 0
 
 
+def test_each_panel_says_why_it_has_its_longest_seam(panels):
+    for panel in panels.report.panels:
+        assert panel.status is Status.CONVERGED
+        assert re.match(
+            r"its longest seam, beside panel \d+ at \(.*\), (has to be|was found to help): ", panel.reason
+        )
+
+
+def test_a_turned_and_renumbered_model_gets_the_same_panels():
+    meshes = pymeshlab.MeshSet()
+    meshes.create_sphere_cap(angle=60, subdiv=3)
+    mesh = meshes.current_mesh()
+    vertices, faces = np.array(mesh.vertex_matrix()) * [1, 1.2, 0.9], np.array(mesh.face_matrix())
+    cut = meshlab_developable.cut_into_panels(vertices, faces)
+    random = np.random.default_rng(1)
+    turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    turn *= np.sign(np.linalg.det(turn))
+    order = random.permutation(len(vertices))
+    other = meshlab_developable.cut_into_panels(
+        4.7 * vertices[order] @ turn.T, np.argsort(order)[random.permutation(faces)]
+    )
+    assert len(other.report.panels) == len(cut.report.panels)
+    assert other.report.darts == cut.report.darts
+    assert other.report.seam_length == pytest.approx(4.7 * cut.report.seam_length, rel=0.01)
+
+
+def test_left_and_right_alike(sphere):
+    vertices, faces = sphere
+    pear = vertices * [1.2, 1.5, 1] + np.outer(vertices[:, 1] ** 2, [0, 0, 0.3])
+    cut = meshlab_developable.cut_into_panels(pear, faces, symmetric=True)
+    assert cut.report.converged
+    middles = cut.vertices[cut.faces].mean(axis=1)
+    sizes = np.bincount(cut.face_panels)
+    for panel in range(len(sizes)):  # most of a panel's mirror image is one panel
+        images = middles[cut.face_panels == panel] * [-1, 1, 1]
+        nearest = np.linalg.norm(middles[None] - images[:, None], axis=2).argmin(axis=1)
+        assert np.bincount(cut.face_panels[nearest]).max() > 0.7 * sizes[panel]
+
+
 def test_quality_colours_and_other_attributes(meshes_of_a_box):
     meshes = meshes_of_a_box
     before = meshes.current_mesh()
@@ -92,7 +133,6 @@ def test_labels_only(meshes_of_a_box):
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"symmetric": True}, "not work yet"),
         ({"allowed_stretch": -0.5}, "allowed"),
         ({"allowed_compression": 100.0}, "allowed"),
         ({"allowed_stretch": float("nan")}, "allowed"),

@@ -86,4 +86,9 @@ def test_reasons_have_the_numbers_of_the_interface():
         "BEYOND_BOUNDS": 7,
         "WITHIN_BOUNDS": 8,
         "BORDER_OVERLAPS": 9,
+        "SEAM_TOO_FAR": 10,
+        "SEAM_OVERLAPS": 11,
+        "SEAM_NO_SHEET": 12,
+        "SEAM_BEYOND_BOUNDS": 13,
+        "SEAM_SEWN": 14,
     }

@@ -45,4 +45,7 @@ def command(mesh: Path, output: Path, as_json: bool, quiet: bool, **options: Any
     if as_json:
         words["per_panel"] = [panel | {"status": panel["status"].name.lower()} for panel in panels]
     shared.print_result(as_json, f"{output}: {report.status.text}", values, **words)
+    if not as_json:
+        for panel in panels:
+            click.echo(f"  panel {panel['index']}: {panel['reason']}")
     sys.exit(shared.Exit.DONE if report.developable else shared.Exit.NOT_CONVERGED)

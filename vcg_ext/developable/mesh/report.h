@@ -42,16 +42,22 @@ inline std::string describe(Status status) {
 
 /// What there is to say of a status beyond its own words. The numbers are part of the interface.
 enum class Reason {
-	AsStatus = 0,      ///< nothing
-	NotLowered = 1,    ///< the local method stalled: G has not fallen for long
-	NothingMoves = 2,  ///< the local method stalled: no vertex can move
-	NeedsCut = 3,      ///< so many patches need a cut, and where
-	Unsolvable = 4,    ///< the constrained Newton method stalled at a system without a solution in double
-	TooFar = 5,        ///< a developable shape was found, but farther away than places may go
-	NearlyThere = 6,   ///< a cut is needed, but what is left is small
-	BeyondBounds = 7,  ///< so many patches have no pattern within their material's bounds, and where
-	WithinBounds = 8,  ///< every patch has a pattern within its material's bounds
-	BorderOverlaps = 9 ///< the curvature is gone, but the angles at border vertices exceed a full turn
+	AsStatus = 0,       ///< nothing
+	NotLowered = 1,     ///< the local method stalled: G has not fallen for long
+	NothingMoves = 2,   ///< the local method stalled: no vertex can move
+	NeedsCut = 3,       ///< so many patches need a cut, and where
+	Unsolvable = 4,     ///< the constrained Newton method stalled at a system without a solution in double
+	TooFar = 5,         ///< a developable shape was found, but farther away than places may go
+	NearlyThere = 6,    ///< a cut is needed, but what is left is small
+	BeyondBounds = 7,   ///< so many patches have no pattern within their material's bounds, and where
+	WithinBounds = 8,   ///< every patch has a pattern within its material's bounds
+	BorderOverlaps = 9, ///< the curvature is gone, but the angles at border vertices exceed a full turn
+	// Of a panel that was cut and holds, why it has its longest seam, slit or dart: without that
+	SeamTooFar = 10,       ///< a vertex would have to move too far
+	SeamOverlaps = 11,     ///< it would overlap itself when laid flat
+	SeamNoSheet = 12,      ///< it would be a ring, a tube or a ball
+	SeamBeyondBounds = 13, ///< it would be strained by more than the material bears
+	SeamSewn = 14          ///< it would hold by itself, but not among the others
 };
 
 struct ReasonProperties {
@@ -89,6 +95,21 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	 "the curvature is gone, but the angles of a panel's faces add up to more than a full turn at border vertices "
 	 "({border_overlaps} in number), first of all at ({worst_x}, {worst_y}, {worst_z}): laid flat it overlaps itself there; a cut "
 	 "that ends there would do, or more room to move (max_displacement, fewer vertices held still)"},
+	{Reason::SeamTooFar, "SEAM_TOO_FAR",
+	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it a vertex would have to "
+	 "move farther than max_displacement allows"},
+	{Reason::SeamOverlaps, "SEAM_OVERLAPS",
+	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would overlap "
+	 "itself when laid flat"},
+	{Reason::SeamNoSheet, "SEAM_NO_SHEET",
+	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would close "
+	 "round on itself, as a ring, a tube or a ball, and not be one sheet"},
+	{Reason::SeamBeyondBounds, "SEAM_BEYOND_BOUNDS",
+	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would be "
+	 "strained by more than the material bears"},
+	{Reason::SeamSewn, "SEAM_SEWN",
+	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), was found to help: without it the panel would "
+	 "do by itself, but hardly with smooth seams and sewn to the others"},
 };
 
 /// How one patch ended.

@@ -2,9 +2,59 @@
 // cut_into_panels.cpp: the order of the work, from patches to panels that are sewn together.
 #include "cut_into_panels.h"
 
+#include "canonical_form.h"
+#include "displacement_limits.h"
+#include "found_panels.h"
 #include "panel_plan.h"
 
 namespace developable {
+
+namespace detail {
+
+namespace {
+
+CutOptions optionsOf(const CanonicalForm& form, const CutOptions& options) {
+	CutOptions result = options;
+	const Grain& grain = options.material.grain;
+	if (!grain.alongSeam())
+		result.material.grain = Grain(form.directionInForm(grain.direction()));
+	return result;
+}
+
+/// Per patch of what was given, from those of its form.
+std::vector<double> limitsGiven(const CanonicalForm& form, const GivenPatches& given,
+								const std::vector<double>& limits) {
+	const PatchAssembly from = assemblePatches(form.patches().mesh, {}), to = assemblePatches(given.mesh, {});
+	std::vector<double> result(to.patchCount());
+	for (int t = 0; t < from.triangleCount(); ++t)
+		result[to.patchOfTriangle[form.trianglesGiven()[t]]] = form.inGiven(limits[from.patchOfTriangle[t]]);
+	return result;
+}
+
+/// Panels are found on the canonical form of what was given, and judged on both. They may move a little less
+/// on the form: what just holds there holds here, too, although roundings differ.
+CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
+	constexpr double lessRoom = 0.999;
+	const CanonicalForm form(given);
+	std::vector<double> limits = displacementLimits(form, options.maxDisplacement);
+	PanelPlan here(given, limitsGiven(form, given, limits), options, progress);
+	for (double& limit : limits)
+		limit *= lessRoom;
+	const auto find = options.symmetric ? findSymmetricPanels : findPanels;
+	const FoundPanels found = find(form.patches(), limits, optionsOf(form, options), progress);
+	CutResult result;
+	result.report.status = Status::Stopped;
+	if (found.stopped)
+		return result;
+	here.takeOver(form.carriedBack(found.planned), found.hold);
+	result = here.result();
+	result.report.notes.insert(result.report.notes.end(), found.notes.begin(), found.notes.end());
+	return result;
+}
+
+} // namespace
+
+} // namespace detail
 
 CutResult cutIntoPanels(const TriangleMesh& mesh, const PatchOptions& patches, const CutOptions& options,
 						const Progress& progress) {
@@ -14,7 +64,7 @@ CutResult cutIntoPanels(const TriangleMesh& mesh, const PatchOptions& patches, c
 	requireOption(!std::isnan(options.maxDisplacement) && !std::isinf(options.maxDisplacement),
 				  "The greatest displacement must be a number.");
 	requireValid(options.material.bounds);
-	return detail::PanelPlan(detail::separatePatches(mesh, patches), options, neverBack(progress)).run();
+	return detail::cutPatches(detail::separatePatches(mesh, patches), options, neverBack(progress));
 }
 
 } // namespace developable

@@ -20,12 +20,15 @@ namespace developable {
 
 struct CutOptions {
 	/// How far a vertex may move when the panels are made developable together, length; negative: 2 % of the
-	/// diagonal of each part (what shares vertices or is sewn together).
+	/// diagonal of the smallest box, along any axes, round each part (what shares vertices or is sewn
+	/// together).
 	double maxDisplacement = -1;
-	PanelMaterial material;     ///< what the panels may be strained by when they are laid flat
-	int maxPanels = 0;          ///< 0: as many as it takes
-	bool darts = true;          ///< seams may stay in part, as darts
-	double creaseAngle = 40;    ///< seams like to lie on edges whose faces turn by more than this, degrees
+	PanelMaterial material;  ///< what the panels may be strained by when they are laid flat
+	int maxPanels = 0;       ///< 0: as many as it takes
+	bool darts = true;       ///< seams may stay in part, as darts
+	double creaseAngle = 40; ///< seams like to lie on edges whose faces turn by more than this, degrees
+	/// Left and right panels of a surface that is its own mirror image mirror each other; without darts.
+	bool symmetric = false;
 	bool keepSelected = false;  ///< no seam or dart crosses a selected triangle
 	bool splitTriangles = true; ///< where seams cross them; else seams keep to edges
 };
@@ -35,8 +38,12 @@ struct CutPanel {
 	int triangles = 0;
 	double area = 0;          ///< length²
 	bool developable = false; ///< or within what its material bears, and within the greatest displacement
-	Reason reason = Reason::AsStatus; ///< why not: TooFar, NeedsCut or BeyondBounds
-	double curvatureBefore = 0;       ///< C, rad
+	/// Why not: TooFar, NeedsCut or BeyondBounds; or why it has its longest seam: SeamTooFar and the like.
+	Reason reason = Reason::AsStatus;
+	int neighbour =
+		-1; ///< the panel across its longest seam that was added, itself at a slit or dart; -1: none
+	Eigen::Vector3d seamPoint = Eigen::Vector3d::Zero(); ///< half way along that
+	double curvatureBefore = 0;                          ///< C, rad
 	double curvatureAfter = 0;
 	double maxAngleDefect = 0;   ///< after, rad
 	double beyondBounds = 0;     ///< by how much a strain is beyond what the material bears, as a share

@@ -15,15 +15,18 @@ CutReport reportOf(const CutSurface& surface, const SewnPanels& sewn, double giv
 	report.meanDisplacement = sewn.meanDisplacement;
 	report.maxDisplacement = sewn.maxDisplacement;
 	report.smallestPanelArea = std::numeric_limits<double>::infinity();
-	std::vector<char> seen(surface.panelCount(), 0);
+	std::vector<int> number(surface.panelCount(), -1);
 	for (int t = 0; t < surface.assembly().triangleCount(); ++t) { // panels are numbered as in the cut mesh
 		const int panel = surface.panelOf(t);
-		if (seen[panel])
+		if (number[panel] >= 0)
 			continue;
-		seen[panel] = 1;
+		number[panel] = static_cast<int>(report.panels.size());
 		report.panels.push_back(sewn.panels[panel]);
 		report.smallestPanelArea = std::min(report.smallestPanelArea, sewn.panels[panel].area);
 	}
+	for (CutPanel& panel : report.panels)
+		if (panel.neighbour >= 0)
+			panel.neighbour = number[panel.neighbour];
 	report.seamLength = givenSeamLength;
 	for (const SeamChain& chain : seamChains(surface)) {
 		report.seamLength += chain.length;

@@ -54,7 +54,10 @@ void divideUntilFlat(PlannedSurface& planned, PanelTests& tests, const CutOption
 
 } // namespace
 
-void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOptions& options) {
+void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOptions& options,
+					 double clusterDeviation) {
+	ClusterOptions clusters;
+	clusters.greatestDeviation = clusterDeviation;
 	const int patches = planned.surface.assembly().patchCount();
 	std::vector<PanelTrial> trials;
 	trials.reserve(patches);
@@ -63,8 +66,8 @@ void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOption
 	const std::vector<PanelVerdict> verdicts = tests.test(trials);
 	for (int patch = 0; patch < patches; ++patch) {
 		if (!verdicts[patch].flat)
-			planned.surface.divide(patch,
-								   normalClusters(planned.surface, planned.surface.trianglesOf(patch), {}));
+			planned.surface.divide(
+				patch, normalClusters(planned.surface, planned.surface.trianglesOf(patch), clusters));
 	}
 	tidyClusters(planned, options);
 	divideUntilFlat(planned, tests, options);

@@ -10,7 +10,9 @@ namespace developable::detail {
 
 /// Patches that are no panels become clusters of normals, and what is no panel then is divided until it is
 /// one.
-void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOptions& options);
+/// \param clusterDeviation  as in ClusterOptions
+void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOptions& options,
+					 double clusterDeviation);
 
 /// Divides a panel in two by its normals, if that is possible. \return whether it was
 bool divideInTwo(PlannedSurface& planned, const CutOptions& options, int panel);

@@ -7,9 +7,11 @@
 #include "panel_dissolving.h"
 #include "panel_joining.h"
 #include "seam_drawing.h"
+#include "seam_reasons.h"
 #include "selected_whole.h"
 #include "sewn_panels.h"
 #include "sewn_relief.h"
+#include "small_panels.h"
 #include "taken_back_joins.h"
 
 #include <algorithm>
@@ -19,40 +21,18 @@
 
 namespace developable::detail {
 
-namespace {
-
-constexpr double defaultDisplacement = 0.02; ///< of the diagonal of a part
-
-} // namespace
-
-PanelPlan::PanelPlan(GivenPatches given, const CutOptions& options, const Progress& progress)
-	: options_(options), given_(std::move(given)), planned_{given_.mesh, given_.origins,
-															CutSurface(assemblePatches(given_.mesh, {}))} {
-	tests_ = std::make_unique<PanelTests>(maxDisplacements(), options_.material, progress);
-}
-
-/// Per patch, length.
-std::vector<double> PanelPlan::maxDisplacements() const {
-	const PatchAssembly& assembly = planned_.surface.assembly();
-	if (options_.maxDisplacement >= 0)
-		return std::vector<double>(assembly.patchCount(), options_.maxDisplacement);
-	DisjointSets parts(assembly.placeCount() + assembly.patchCount());
-	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		parts.unite(assembly.placeOfCopy[copy], assembly.placeCount() + assembly.patchOfCopy[copy]);
-	std::vector<Eigen::AlignedBox3d> boxes(assembly.placeCount() + assembly.patchCount());
-	for (int place = 0; place < assembly.placeCount(); ++place)
-		boxes[parts.find(place)].extend(assembly.originalPositions.col(place));
-	std::vector<double> result;
-	result.reserve(assembly.patchCount());
-	for (int patch = 0; patch < assembly.patchCount(); ++patch)
-		result.push_back(defaultDisplacement *
-						 boxes[parts.find(assembly.placeCount() + patch)].diagonal().norm());
-	return result;
+PanelPlan::PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
+					 const Progress& progress)
+	: options_(options), given_(given),
+	  limits_(std::move(limits)), planned_{given_.mesh, given_.origins,
+										   CutSurface(assemblePatches(given_.mesh, {}))} {
+	tests_ = std::make_unique<PanelTests>(limits_, options_.material, progress);
 }
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
 	--sewingsLeft_;
-	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, maxDisplacements(),
+	sewnWork_ += planned_.mesh.triangleCount();
+	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, limits_,
 							 options_.material, brief, progressOfRest());
 }
 
@@ -86,6 +66,7 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 				any = divideInTwo(planned_, options_, panel) || any;
 		if (!any)
 			break;
+		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
 		sewn = relieved(sewTogether(false));
 	}
 	return sewn;
@@ -97,9 +78,9 @@ Progress PanelPlan::progressOfRest() {
 
 /// As few panels as can be, if these hold when they are sewn together, or soon do; else those that were
 /// joined greedily, which are more and hold sooner.
-void PanelPlan::joinUntilAllHold() {
+void PanelPlan::joinUntilAllHold(double clusterDeviation) {
 	constexpr int roundsOfFew = 8, rounds = 12;
-	makeFirstPanels(planned_, *tests_, options_);
+	makeFirstPanels(planned_, *tests_, options_, clusterDeviation);
 	clusters_ = planned_.surface.panels();
 	joinPanels(planned_.surface, *tests_, history_);
 	const PlannedSurface joined = planned_;
@@ -130,6 +111,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 			return true;
 		const PlannedSurface joined = planned_;
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
+		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
 		const SewnPanels sewn = smoothSeams();
 		if (worstOf(sewn) < 0)
 			return true;
@@ -175,7 +157,8 @@ std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPan
 /// With darts where that makes all hold.
 SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 	constexpr std::size_t mostFailing = 3; // else panels are too large, and not just a little
-	if (!options_.darts || !options_.splitTriangles || worstFirst(sewn).size() > mostFailing)
+	if (mirror_ != nullptr || !options_.darts || !options_.splitTriangles ||
+		worstFirst(sewn).size() > mostFailing)
 		return sewn;
 	return SewnRelief(planned_, options_, *tests_, dartTips_, reliefsLeft_,
 					  [this] { return sewTogether(true); })
@@ -198,7 +181,10 @@ SewnPanels PanelPlan::smoothSeams() {
 		SewnPanels smoother = sewTogether(true);
 		if (holds(smoother))
 			return smoother;
-		const bool mayBeTighter = drawing.tightenAt(worstPoints(smoother));
+		std::vector<Eigen::Vector3d> worst = worstPoints(smoother);
+		for (std::size_t i = 0, count = worst.size(); i < count && mirror_ != nullptr; ++i)
+			worst.push_back(mirror_->mirrored(worst[i]));
+		const bool mayBeTighter = drawing.tightenAt(worst);
 		planned_ = safe;
 		if (!mayBeTighter)
 			break;
@@ -206,19 +192,32 @@ SewnPanels PanelPlan::smoothSeams() {
 	return sewn;
 }
 
-CutResult PanelPlan::run() {
-	joinUntilAllHold();
-	SewnPanels sewn = joinedWithDarts();
+bool PanelPlan::search(double clusterDeviation) {
+	joinUntilAllHold(clusterDeviation);
+	sewn_ = joinedWithDarts();
+	absorbSmallPanels();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {
 		joinToSoFew();
-		sewn = sewTogether(false);
+		sewn_ = sewTogether(false);
 	}
+	return worstOf(sewn_) < 0;
+}
+
+void PanelPlan::takeOver(PlannedSurface found, bool held) {
+	planned_ = std::move(found);
+	sewn_ = sewTogether(false);
+	if (held && worstOf(sewn_) >= 0)
+		sewn_ = divideUntilAllHold();
+	explainSeams(planned_.surface, *tests_, sewn_);
+}
+
+CutResult PanelPlan::result() const {
 	CutResult result;
-	if (tests_->stopped()) {
+	if (stopped()) {
 		result.report.status = Status::Stopped;
 		return result;
 	}
-	result.report = reportOf(planned_.surface, sewn, given_.seamLength, options_);
+	result.report = reportOf(planned_.surface, sewn_, given_.seamLength, options_);
 	result.mesh = cutMesh(planned_, given_.vertexTaken);
 	return result;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cut_into_panels.h"
+#include "mirror_plane.h"
 #include "panel_joining.h"
 #include "planned_surface.h"
 #include "sewn_panels.h"
@@ -11,17 +12,41 @@
 
 namespace developable::detail {
 
+/// All panels mirror each other and hold; some had to be divided, and all hold; or some do not.
+enum class SymmetricOutcome { Pairs, Divided, Fails };
+
 class PanelPlan {
 public:
-	PanelPlan(GivenPatches given, const CutOptions& options, const Progress& progress);
+	/// \param limits  per patch, how far its panels may move, length
+	PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
+			  const Progress& progress);
 
-	CutResult run();
+	/// Finds panels.
+	/// \param clusterDeviation  as in ClusterOptions: how coarse the clusters are that joining begins with
+	/// \return                  whether all hold when they are sewn together
+	bool search(double clusterDeviation);
+
+	/// The same with panels that mirror each other, without darts. Where some do not hold in the end they are
+	/// divided, and then do not mirror each other any more.
+	SymmetricOutcome searchSymmetric(const MirrorPlane& plane);
+
+	/// Takes over panels that were found on another copy of the patches. What held there should hold here,
+	/// too; else it is divided.
+	void takeOver(PlannedSurface found, bool held);
+
+	const PlannedSurface& planned() const { return planned_; }
+	bool stopped() const { return tests_->stopped(); }
+	/// How much has been tested and sewn, in triangles.
+	double work() const { return tests_->work() + sewnWork_; }
+	CutResult result() const;
 
 private:
-	std::vector<double> maxDisplacements() const;
 	void joinToSoFew();
 
-	void joinUntilAllHold();
+	void joinUntilAllHold(double clusterDeviation);
+	void absorbSmallPanels();
+	bool absorb(int panel, int neighbour);
+	bool keepIfAllHold(CutSurface changed);
 	bool sewUntilAllHold(int rounds);
 	std::vector<char> divideFailing(PlannedSurface& before, const SewnPanels& sewn);
 	SewnPanels joinedWithDarts();
@@ -35,12 +60,16 @@ private:
 
 	const CutOptions options_;
 	const GivenPatches given_;
+	const std::vector<double> limits_; // per patch
 	PlannedSurface planned_;
+	SewnPanels sewn_; // what becomes of it
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
 	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help.
 	static constexpr int mostReliefs = 12;
 	int reliefsLeft_ = mostReliefs;
+	double sewnWork_ = 0; // triangles
+	const MirrorPlane* mirror_ = nullptr;
 	int sewingsLeft_ = 30; // until what does not hold is just divided
 	std::vector<Eigen::Vector3d> dartTips_;
 	JoinHistory history_;

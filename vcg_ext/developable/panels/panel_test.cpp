@@ -81,6 +81,8 @@ void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, co
 		verdict.worstPoint = farthestPoint(assembly, positions);
 	else
 		verdict.flat = liesFlat(assembly, positions);
+	const bool reached = converged(report.status) && near; // what goes on to somewhere else ends on the way
+	verdict.obstacle = verdict.flat ? Obstacle::None : reached ? Obstacle::Overlaps : Obstacle::TooFar;
 }
 
 void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
@@ -88,12 +90,17 @@ void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, cons
 	const Outlook outlook = outlookOf(assembly, limits.material, limits.maxDisplacement);
 	if (outlook == Outlook::MostlyMoves)
 		testUnstrained(assembly, limits, progress, verdict); // which is quicker
-	if (outlook == Outlook::Hopeless || verdict.flat)
+	if (verdict.flat)
+		return;
+	verdict.obstacle = Obstacle::BeyondBounds;
+	if (outlook == Outlook::Hopeless)
 		return;
 	Positions positions = assembly.originalPositions;
 	bringWithinBounds(assembly, positions, limits.material, limits.maxDisplacement, true, progress);
 	verdict.flat = isNear(assembly, positions, limits, verdict) &&
 				   judgePatterns(assembly, positions, limits.material).front().holds();
+	if (verdict.flat)
+		verdict.obstacle = Obstacle::None;
 }
 
 } // namespace
@@ -105,8 +112,10 @@ bool isDisk(const TriangleMesh& mesh) {
 PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, const Progress& progress) {
 	PanelVerdict verdict;
 	const PatchAssembly assembly = assemblePatches(mesh, {});
-	if (!isSheet(assembly))
+	if (!isSheet(assembly)) {
+		verdict.obstacle = Obstacle::NoSheet;
 		return verdict;
+	}
 	verdict.disk = isDisk(assembly);
 	try {
 		if (limits.material.bounds.any())
@@ -115,6 +124,7 @@ PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, cons
 			testUnstrained(assembly, limits, progress, verdict);
 	} catch (const PatchWithHandles&) {
 		verdict.flat = false;
+		verdict.obstacle = Obstacle::NoSheet;
 	}
 	return verdict;
 }

@@ -16,10 +16,14 @@ struct PanelLimits {
 	PanelMaterial material;
 };
 
+/// Why triangles are no panel.
+enum class Obstacle { None, NoSheet, TooFar, Overlaps, BeyondBounds };
+
 struct PanelVerdict {
 	bool flat =
 		false; ///< it is a disk, or lies flat with its holes, and becomes developable within the limits
 	bool disk = false; ///< or a flat sheet with holes
+	Obstacle obstacle = Obstacle::None;
 	double maxDisplacement = 0;
 	double meanDisplacement = 0;
 	Eigen::Vector3d worstPoint =

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// absorbed_panels.cpp: what is too small when all panels hold.
+#include "panel_plan.h"
+
+#include "panel_test.h"
+#include "selected_whole.h"
+#include "small_panels.h"
+
+namespace developable::detail {
+
+/// What is too small goes to a neighbour, or takes from one, if all hold then.
+void PanelPlan::absorbSmallPanels() {
+	int tries = 8; // of sewing all together
+	for (const int panel : smallPanels(planned_.surface)) {
+		bool done = worstOf(sewn_) >= 0;
+		for (const int neighbour : neighboursOf(planned_.surface, panel))
+			done = done || tests_->stopped() || --tries < 0 || absorb(panel, neighbour);
+	}
+	if (worstOf(sewn_) >= 0 || tests_->stopped() || smallPanels(planned_.surface).empty())
+		return;
+	CutSurface grown = planned_.surface;
+	growSmallPanels(grown, *tests_, keptTriangles(planned_, options_));
+	keepIfAllHold(std::move(grown));
+}
+
+bool PanelPlan::absorb(int panel, int neighbour) {
+	CutSurface joined = planned_.surface;
+	const int both = joined.join(halfEdgesBetween(joined, panel, neighbour));
+	return isDisk(joined.meshOf(joined.trianglesOf(both))) && keepIfAllHold(std::move(joined));
+}
+
+bool PanelPlan::keepIfAllHold(CutSurface changed) {
+	std::swap(planned_.surface, changed);
+	SewnPanels sewn = sewTogether(false);
+	const bool holds = worstOf(sewn) < 0;
+	if (holds)
+		sewn_ = std::move(sewn);
+	else
+		std::swap(planned_.surface, changed);
+	return holds;
+}
+
+} // namespace developable::detail

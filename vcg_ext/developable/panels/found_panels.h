@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// found_panels.h: the best panels of several searches, or those that mirror each other.
+#pragma once
+
+#include "cut_into_panels.h"
+#include "planned_surface.h"
+
+namespace developable::detail {
+
+struct FoundPanels {
+	PlannedSurface planned;
+	bool hold = false; ///< when they are sewn together
+	bool stopped = false;
+	std::vector<std::string> notes; ///< as in CutReport
+};
+
+/// Joining is greedy, and where it ends is much a matter of where it begins: surfaces that take little time
+/// are tried from several sets of clusters. Of what holds the fewest panels are taken, of as many the
+/// shortest seams. \param limits  per patch, how far its panels may move, length
+FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
+					   const CutOptions& options, const Progress& progress);
+
+/// Panels that mirror each other, where the surface is its own mirror image; else any, with a note.
+FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,
+								const CutOptions& options, const Progress& progress);
+
+} // namespace developable::detail

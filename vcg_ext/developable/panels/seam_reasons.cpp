@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// seam_reasons.cpp: one trial for the longest seam of each panel.
+#include "seam_reasons.h"
+
+#include "seam_chains.h"
+
+#include <map>
+
+namespace developable::detail {
+
+namespace {
+
+Reason reasonOf(const PanelVerdict& verdict) {
+	switch (verdict.obstacle) {
+	case Obstacle::NoSheet:
+		return Reason::SeamNoSheet;
+	case Obstacle::TooFar:
+		return Reason::SeamTooFar;
+	case Obstacle::Overlaps:
+		return verdict.disk ? Reason::SeamOverlaps : Reason::SeamNoSheet;
+	case Obstacle::BeyondBounds:
+		return Reason::SeamBeyondBounds;
+	case Obstacle::None:
+		break;
+	}
+	return verdict.disk ? Reason::SeamSewn : Reason::SeamNoSheet;
+}
+
+} // namespace
+
+void explainSeams(CutSurface& surface, PanelTests& tests, SewnPanels& sewn) {
+	const std::vector<SeamChain> chains = longestFirst(seamChains(surface));
+	std::map<int, std::size_t> longest; // of each panel
+	for (std::size_t i = 0; i < chains.size(); ++i)
+		for (const int panel : chains[i].panels)
+			longest.emplace(panel, i);
+	std::vector<PanelTrial> trials;
+	std::map<std::size_t, std::size_t> trialOfChain;
+	for (const auto& [panel, chain] : longest)
+		if (trialOfChain.emplace(chain, trials.size()).second)
+			trials.push_back(trialAcross(surface, chains[chain].halfEdges));
+	tests.scaleLimits(1);
+	const std::vector<PanelVerdict> verdicts = tests.test(trials);
+	for (const auto& [panel, chain] : longest) {
+		CutPanel& report = sewn.panels[panel];
+		const SeamChain& seam = chains[chain];
+		if (tests.stopped() || !report.developable)
+			continue;
+		report.reason = reasonOf(verdicts[trialOfChain.at(chain)]);
+		report.neighbour = seam.panels[seam.panels[0] == panel ? 1 : 0];
+		report.seamPoint = surface.middleOf(seam.halfEdges[seam.halfEdges.size() / 2]);
+	}
+}
+
+} // namespace developable::detail

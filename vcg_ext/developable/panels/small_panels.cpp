@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// small_panels.cpp: a front that grows from a small panel into a neighbour.
+#include "small_panels.h"
+
+#include "seam_chains.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <queue>
+#include <set>
+
+namespace developable::detail {
+
+namespace {
+
+constexpr double grown = 1.3; ///< times the least share: seams that are drawn anew take a little
+
+double leastAreaOf(const CutSurface& surface, int panel) {
+	const int patch = surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()];
+	return leastPanelShare * surface.patchArea(patch);
+}
+
+/// Triangles of a neighbour, nearest first, until a panel is large enough with them.
+std::set<int> takenFrom(const CutSurface& surface, int panel, const std::vector<int>& seam,
+						const std::vector<char>& held) {
+	const double wanted = grown * leastAreaOf(surface, panel);
+	double area = surface.area(panel);
+	using Step = std::pair<double, int>; // length so far, triangle
+	std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
+	for (const int h : seam)
+		steps.emplace(
+			(surface.barycentre(triangleOf(surface.assembly().across(h))) - surface.middleOf(h)).norm(),
+			triangleOf(surface.assembly().across(h)));
+	std::set<int> taken;
+	while (!steps.empty() && area < wanted) {
+		const auto [length, triangle] = steps.top();
+		steps.pop();
+		if ((!held.empty() && held[triangle]) || !taken.insert(triangle).second)
+			continue;
+		area += surface.areas()[triangle];
+		for (int h = 3 * triangle; h < 3 * triangle + 3; ++h)
+			if (surface.across(h) >= 0) {
+				const int next = triangleOf(surface.across(h));
+				steps.emplace(length + (surface.barycentre(next) - surface.barycentre(triangle)).norm(),
+							  next);
+			}
+	}
+	return area < wanted ? std::set<int>() : taken;
+}
+
+/// \return whether both are panels then
+bool growInto(CutSurface& surface, PanelTests& tests, int panel, int neighbour,
+			  const std::vector<char>& held) {
+	const std::vector<int> seam = halfEdgesBetween(surface, panel, neighbour);
+	std::set<int> own = takenFrom(surface, panel, seam, held);
+	if (own.empty())
+		return false;
+	own.insert(surface.trianglesOf(panel).begin(), surface.trianglesOf(panel).end());
+	CutSurface next = surface;
+	const int both = next.join(seam);
+	std::vector<int> labels;
+	labels.reserve(next.trianglesOf(both).size());
+	for (const int t : next.trianglesOf(both))
+		labels.push_back(own.count(t) > 0);
+	next.divide(both, labels);
+	std::set<int> panels;
+	for (const int t : surface.trianglesAtBothSides(seam.front()))
+		panels.insert(next.panelOf(t));
+	if (panels.size() != 2)
+		return false;
+	std::vector<PanelTrial> trials;
+	for (const int one : panels) {
+		if (next.area(one) < leastAreaOf(next, one))
+			return false;
+		trials.push_back(trialOf(next, next.trianglesOf(one)));
+	}
+	for (const PanelVerdict& verdict : tests.test(trials))
+		if (!verdict.flat || !verdict.disk)
+			return false;
+	if (tests.stopped())
+		return false;
+	surface = std::move(next);
+	return true;
+}
+
+} // namespace
+
+std::vector<int> neighboursOf(const CutSurface& surface, int panel) {
+	std::set<int> found;
+	for (const int t : surface.trianglesOf(panel))
+		for (int h = 3 * t; h < 3 * t + 3; ++h)
+			if (surface.assembly().across(h) >= 0)
+				found.insert(surface.panelOf(triangleOf(surface.assembly().across(h))));
+	found.erase(panel);
+	std::vector<int> neighbours(found.begin(), found.end());
+	std::stable_sort(neighbours.begin(), neighbours.end(),
+					 [&](int a, int b) { return surface.area(a) > surface.area(b); });
+	return neighbours;
+}
+
+std::vector<int> halfEdgesBetween(const CutSurface& surface, int panel, int other) {
+	std::vector<int> halfEdges;
+	for (const int t : surface.trianglesOf(panel))
+		for (int h = 3 * t; h < 3 * t + 3; ++h)
+			if (surface.assembly().across(h) >= 0 &&
+				surface.panelOf(triangleOf(surface.assembly().across(h))) == other)
+				halfEdges.push_back(h);
+	return halfEdges;
+}
+
+std::vector<int> smallPanels(const CutSurface& surface) {
+	std::vector<int> small;
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		if (!surface.trianglesOf(panel).empty() && surface.area(panel) < leastAreaOf(surface, panel))
+			small.push_back(panel);
+	std::stable_sort(small.begin(), small.end(),
+					 [&](int a, int b) { return surface.area(a) < surface.area(b); });
+	return small;
+}
+
+void growSmallPanels(CutSurface& surface, PanelTests& tests, const std::vector<char>& held) {
+	for (const int panel : smallPanels(surface)) {
+		if (surface.trianglesOf(panel).empty())
+			continue; // it went to another that grew
+		for (const int neighbour : neighboursOf(surface, panel))
+			if (tests.stopped() || growInto(surface, tests, panel, neighbour, held))
+				break;
+	}
+}
+
+} // namespace developable::detail

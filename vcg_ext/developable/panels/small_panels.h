@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// small_panels.h: panels that are too small to be sewn in.
+#pragma once
+
+#include "panel_tests.h"
+
+namespace developable::detail {
+
+/// The share of its patch's area that a panel has at least, unless the patch is one panel.
+constexpr double leastPanelShare = 0.01;
+
+/// Panels below the least share, the smallest first.
+std::vector<int> smallPanels(const CutSurface& surface);
+
+/// The neighbours of a panel, the largest first.
+std::vector<int> neighboursOf(const CutSurface& surface, int panel);
+
+/// Half edges of one panel beside another.
+std::vector<int> halfEdgesBetween(const CutSurface& surface, int panel, int other);
+
+/// Small panels take triangles from a neighbour, the nearest first, until they are large enough, where both
+/// are panels then.
+/// \param held  per triangle whether it has to stay with others; or empty
+void growSmallPanels(CutSurface& surface, PanelTests& tests, const std::vector<char>& held);
+
+} // namespace developable::detail
