@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How near a shape within strain bounds could be: bounded strain beside a slow, general optimiser.
 
-`bash bench/run.sh material_reference [COLUMNS [ours]]`: bumps and saddles on a grid (15) at three bounds.
+`bash bench/run.sh material_reference [COLUMNS [ours]]`: six surfaces on a grid (15) at three bounds.
 IPOPT (Wächter and Biegler 2006), with exact second derivatives by CasADi, looks for the least Σ m |d|² / A
 under the same bounds, shape and pattern being its unknowns too: with a triangle's map F from pattern to
 shape, (1 + s)² I − FᵀF and FᵀF − (1 − c)² I must be positive semidefinite. It begins once at our result and
@@ -24,6 +24,9 @@ SHAPES = {
     "bump": lambda u, v: 0.2 * np.exp(-12 * ((u - 0.5) ** 2 + (v - 0.5) ** 2)),
     "saddle": lambda u, v: 0.8 * (u - 0.5) * (v - 0.5) + 0.2 * (u - 0.5) ** 2,
     "dome": lambda u, v: -0.5 * ((u - 0.5) ** 2 + (v - 0.5) ** 2),
+    "waves": lambda u, v: 0.06 * np.sin(7 * u) * np.cos(5 * v),
+    "cap": lambda u, v: np.sqrt(1 - (u - 0.5) ** 2 - (v - 0.5) ** 2),
+    "hill": lambda u, v: 0.15 * np.exp(-20 * ((u - 0.3) ** 2 + (v - 0.6) ** 2)) - 0.1 * u * v,
 }
 BOUNDS = (0.5, 1.0, 2.0)  # per cent, of both signs
 GOOD = ("Solve_Succeeded", "Solved_To_Acceptable_Level")

@@ -8,6 +8,7 @@ import json
 
 import meshlab_developable
 import numpy as np
+import pyarrow.parquet
 import pytest
 from click.testing import CliRunner
 from meshlab_developable import mesh_sets
@@ -105,3 +106,18 @@ def test_command_says_it(tmp_path):
     assert answer["material_verdict"].startswith("Leather: ")
     assert answer["material_verdict"] in words.splitlines()
     assert set(answer["panels"][0]["strain"]) == {"max_stretch", "max_compression", "beyond_bounds", "at"}
+
+
+def test_batch_has_it_in_its_message_and_the_strains_with_the_panels(tmp_path):
+    folder, out, settings = tmp_path / "in", tmp_path / "out", tmp_path / "settings.toml"
+    folder.mkdir()
+    mesh_sets.open_mesh(*bump()).save_current_mesh(str(folder / "hill.ply"))
+    settings.write_text('method = "global"\n[parameters]\nmaterial = "Leather"\n', encoding="utf-8")
+    arguments = ["batch", str(folder), "--out", str(out), "--parameters", str(settings), "--quiet"]
+    assert CliRunner().invoke(main, arguments).exit_code == 0
+    (row,) = pyarrow.parquet.read_table(out / "results.parquet").to_pylist()
+    report = meshlab_developable.make_developable(folder / "hill.ply", material="Leather").report
+    assert report.material_verdict in row["message"]
+    assert report.material_verdict in (out / "overview.html").read_text(encoding="utf-8")
+    strain = json.loads(row["panels"])[0]["strain"]
+    assert strain["max_stretch"] == row["max_stretch"] == report.panels[0].strain.max_stretch
