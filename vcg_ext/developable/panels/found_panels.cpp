@@ -13,7 +13,7 @@ namespace developable::detail {
 namespace {
 
 constexpr double deviations[] = {0.15, 0.25, 0.08}; ///< of clusters; see ClusterOptions
-constexpr double littleWork = 6e5;                  ///< triangles, which take seconds
+constexpr double littleWork = 3e5;                  ///< triangles, which take seconds
 
 bool isBetter(const FoundPanels& a, const FoundPanels& b) {
 	const int panels = a.planned.surface.usedPanelCount(), otherPanels = b.planned.surface.usedPanelCount();
