@@ -12,7 +12,7 @@ if [[ -f $requirements ]]; then .venv/bin/python -m pip install --quiet --disabl
 program=${name}_bench
 case $name in
 solvers) install_packages libcgal-demo >&2 ;; # panels of other people
-ablation | folds | goals | reference | verdicts) program=solvers_bench ;;
+ablation | estimates | folds | goals | reference | verdicts) program=solvers_bench ;;
 esac
 if [[ ! -f bench/$program.cpp ]]; then exec .venv/bin/python "bench/$name.py" "$@"; fi
 cmake --preset bench >&2

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 
@@ -175,6 +176,30 @@ double peakMegabytes() {
 	return 0;
 }
 
+/// After a quarter, half and three quarters of the processor time that a run takes: how much longer, as a
+/// factor, the run was said to take as a whole than it took.
+void printEstimates(const PatchAssembly& assembly) {
+	Positions positions = assembly.originalPositions;
+	std::vector<std::pair<std::clock_t, double>> said;
+	ConstrainedNewtonOptions options;
+	options.threads = 1;
+	const std::clock_t start = std::clock();
+	constrainedNewton(assembly, positions, options, [&](double fractionDone, const std::string&) {
+		said.emplace_back(std::clock() - start, fractionDone);
+		return true;
+	});
+	const double whole = double(std::clock() - start);
+	std::cout << whole / CLOCKS_PER_SEC;
+	for (const double share : {0.25, 0.5, 0.75}) {
+		double fraction = 0;
+		for (const auto& [time, fractionDone] : said)
+			if (double(time) <= share * whole)
+				fraction = fractionDone;
+		std::cout << ' ' << share / fraction;
+	}
+	std::cout << '\n';
+}
+
 int run(const std::vector<std::string>& words) {
 	if (words.size() == 5 && words[0] == "shape") {
 		const TriangleMesh mesh = shape(words[1], std::stoi(words[2]), std::stod(words[3]));
@@ -192,6 +217,8 @@ int run(const std::vector<std::string>& words) {
 				vertices.col(vertex) = positions.col(assembly.placeOfVertex[vertex]);
 		writeOff(words[3], vertices, mesh.triangles);
 		std::cout << seconds.count() << ' ' << peakMegabytes() << ' ' << status << '\n';
+	} else if (words.size() == 2 && words[0] == "estimates") {
+		printEstimates(assemblePatches(readOff(words[1]), {}));
 	} else if (words.size() == 3 && words[0] == "measure") {
 		const PatchAssembly assembly = assemblePatches(readOff(words[1]), {});
 		const TriangleMesh after = readOff(words[2]);
@@ -205,7 +232,7 @@ int run(const std::vector<std::string>& words) {
 			std::cout << constant.name << ' ' << constant.value({}) << '\n';
 	} else {
 		std::cerr << "usage: shape NAME COLUMNS NOISE OUT | run METHOD IN OUT [CONSTANT FACTOR]... | "
-					 "measure BEFORE AFTER | constants\n";
+					 "measure BEFORE AFTER | estimates IN | constants\n";
 		return 2;
 	}
 	return 0;

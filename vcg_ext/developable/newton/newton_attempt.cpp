@@ -100,7 +100,7 @@ Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
 
 /// What an attempt says, as its part of all: the first most often is the only one.
 Progress progressOfAttempt(const Progress& progress, int attempt) {
-	constexpr double left = 0.4; // of what is left, to the attempts behind
+	constexpr double left = 0.5; // of what is left, to the attempts behind
 	const double begin = 1 - std::pow(left, attempt), end = 1 - std::pow(left, attempt + 1);
 	return partOf(progress, begin, end);
 }

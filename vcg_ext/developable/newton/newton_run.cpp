@@ -51,8 +51,15 @@ bool NewtonRun::takeCheapStep() {
 	return true;
 }
 
+/// Most curvature goes in the last few steps, so at first their number tells more.
+double NewtonRun::shareDone() const {
+	constexpr double usualSteps = 20;
+	return std::max(1 - std::exp(-iterations_ / usualSteps),
+					problem_.goal().shareRemoved(startCurvature_, shape_.curvature));
+}
+
 bool NewtonRun::mayGoOn() const {
-	return developable::mayGoOn(progress_, problem_.goal().shareRemoved(startCurvature_, shape_.curvature),
+	return developable::mayGoOn(progress_, shareDone(),
 								describeCurvature(startCurvature_, shape_.curvature, iterations_));
 }
 

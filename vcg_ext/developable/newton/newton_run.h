@@ -76,6 +76,8 @@ public:
 	bool farOff() const { return shape_.reached && !isNear(shape_); }
 
 private:
+	/// Of the run, as far as one can tell, 0 to 1.
+	double shareDone() const;
 	bool isNear(const Shape& shape) const { return shape.farthest <= problem_.goal().farthest; }
 	void moveTo(Shape shape);
 
