@@ -5,6 +5,7 @@
 #include "canonical_form.h"
 #include "displacement_limits.h"
 #include "found_panels.h"
+#include "normal_clusters.h"
 #include "panel_plan.h"
 
 namespace developable {
@@ -12,6 +13,9 @@ namespace developable {
 namespace detail {
 
 namespace {
+
+/// Where there are more, one search takes long, and is made where the surface is.
+constexpr int mostTrianglesOfForms = 2000;
 
 CutOptions optionsOf(const CanonicalForm& form, const CutOptions& options) {
 	CutOptions result = options;
@@ -33,7 +37,7 @@ std::vector<double> limitsGiven(const CanonicalForm& form, const GivenPatches& g
 
 /// Panels are found on the canonical form of what was given, and judged on both. They may move a little less
 /// on the form: what just holds there holds here, too, although roundings differ.
-CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
+CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
 	constexpr double lessRoom = 0.999;
 	const CanonicalForm form(given);
 	std::vector<double> limits = displacementLimits(form, options.maxDisplacement);
@@ -47,9 +51,20 @@ CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const
 	if (found.stopped)
 		return result;
 	here.takeOver(form.carriedBack(found.planned), found.hold);
+	here.explain();
 	result = here.result();
 	result.report.notes.insert(result.report.notes.end(), found.notes.begin(), found.notes.end());
 	return result;
+}
+
+CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
+	if (options.symmetric || given.mesh.triangleCount() <= mostTrianglesOfForms)
+		return cutForm(given, options, progress);
+	PanelPlan plan(given, displacementLimits(assemblePatches(given.mesh, {}), options.maxDisplacement),
+				   options, progress);
+	plan.search(ClusterOptions().greatestDeviation);
+	plan.explain();
+	return plan.result();
 }
 
 } // namespace

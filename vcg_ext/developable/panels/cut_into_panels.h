@@ -20,8 +20,8 @@ namespace developable {
 
 struct CutOptions {
 	/// How far a vertex may move when the panels are made developable together, length; negative: 2 % of the
-	/// diagonal of the smallest box, along any axes, round each part (what shares vertices or is sewn
-	/// together).
+	/// diagonal of each part (what shares vertices or is sewn together), of the smallest box along any axes
+	/// where there are no more than 2000 triangles.
 	double maxDisplacement = -1;
 	PanelMaterial material;  ///< what the panels may be strained by when they are laid flat
 	int maxPanels = 0;       ///< 0: as many as it takes

@@ -4,6 +4,7 @@
 
 #include "smallest_box.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -29,12 +30,9 @@ double sizeOf(const CanonicalForm& form, const Positions& points) {
 	return given < (1 - equal) * smallest ? given : smallest;
 }
 
-} // namespace
-
-std::vector<double> displacementLimits(const CanonicalForm& form, double maxDisplacement) {
-	const PatchAssembly assembly = assemblePatches(form.patches().mesh, {});
-	if (maxDisplacement >= 0)
-		return std::vector<double>(assembly.patchCount(), rounded(form.inForm(maxDisplacement)));
+/// Per patch, from the size of the places of its part.
+template <class Size>
+std::vector<double> defaultLimits(const PatchAssembly& assembly, const Size& sizeOfPlaces) {
 	DisjointSets parts(assembly.placeCount() + assembly.patchCount());
 	for (int copy = 0; copy < assembly.copyCount(); ++copy)
 		parts.unite(assembly.placeOfCopy[copy], assembly.placeCount() + assembly.patchOfCopy[copy]);
@@ -44,12 +42,30 @@ std::vector<double> displacementLimits(const CanonicalForm& form, double maxDisp
 	std::map<int, double> limits;
 	for (const auto& [part, own] : places)
 		limits[part] =
-			rounded(defaultDisplacement * sizeOf(form, assembly.originalPositions(Eigen::all, own)));
+			defaultDisplacement * sizeOfPlaces(Positions(assembly.originalPositions(Eigen::all, own)));
 	std::vector<double> result;
 	result.reserve(assembly.patchCount());
 	for (int patch = 0; patch < assembly.patchCount(); ++patch)
 		result.push_back(limits.at(parts.find(assembly.placeCount() + patch)));
 	return result;
+}
+
+} // namespace
+
+std::vector<double> displacementLimits(const CanonicalForm& form, double maxDisplacement) {
+	const PatchAssembly assembly = assemblePatches(form.patches().mesh, {});
+	std::vector<double> limits =
+		maxDisplacement >= 0
+			? std::vector<double>(assembly.patchCount(), form.inForm(maxDisplacement))
+			: defaultLimits(assembly, [&](const Positions& points) { return sizeOf(form, points); });
+	std::transform(limits.begin(), limits.end(), limits.begin(), rounded);
+	return limits;
+}
+
+std::vector<double> displacementLimits(const PatchAssembly& assembly, double maxDisplacement) {
+	if (maxDisplacement >= 0)
+		return std::vector<double>(assembly.patchCount(), maxDisplacement);
+	return defaultLimits(assembly, [](const Positions& points) { return boxDiagonal(points); });
 }
 
 } // namespace developable::detail

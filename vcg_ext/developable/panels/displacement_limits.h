@@ -12,4 +12,7 @@ namespace developable::detail {
 /// \param maxDisplacement  for all patches, length in what was given; negative: that default
 std::vector<double> displacementLimits(const CanonicalForm& form, double maxDisplacement);
 
+/// The same for patches as they are, along the axes that they have.
+std::vector<double> displacementLimits(const PatchAssembly& assembly, double maxDisplacement);
+
 } // namespace developable::detail

@@ -208,6 +208,9 @@ void PanelPlan::takeOver(PlannedSurface found, bool held) {
 	sewn_ = sewTogether(false);
 	if (held && worstOf(sewn_) >= 0)
 		sewn_ = divideUntilAllHold();
+}
+
+void PanelPlan::explain() {
 	explainSeams(planned_.surface, *tests_, sewn_);
 }
 

@@ -34,6 +34,9 @@ public:
 	/// too; else it is divided.
 	void takeOver(PlannedSurface found, bool held);
 
+	/// Finds out why each panel has its longest seam.
+	void explain();
+
 	const PlannedSurface& planned() const { return planned_; }
 	bool stopped() const { return tests_->stopped(); }
 	/// How much has been tested and sewn, in triangles.
