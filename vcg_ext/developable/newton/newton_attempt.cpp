@@ -86,12 +86,10 @@ Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& ne
 
 constexpr double muchCurvature = 0.1; ///< share of C at the start: more left is far from developable
 
-/// Triangles all over were in the way and much curvature is left, or they were so again with a smoother
-/// displacement: the shape itself needs a cut, and one that is smoother still would not help it.
-/// \param before  whether triangles all over were in the way of the attempt before
-bool hopeless(const NewtonProblem& problem, const NewtonRun& run, bool before) {
-	return problem.metric().tooStiff() &&
-		   (before || run.shape().curvature > muchCurvature * run.startCurvature());
+/// Triangles all over were in the way and much curvature is left: the shape itself needs a cut, and a
+/// smoother displacement would not help it.
+bool hopeless(const NewtonProblem& problem, const NewtonRun& run) {
+	return problem.metric().tooStiff() && run.shape().curvature > muchCurvature * run.startCurvature();
 }
 
 Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
@@ -105,8 +103,7 @@ Progress progressOfAttempt(const Progress& progress, int attempt) {
 	return partOf(progress, begin, end);
 }
 
-/// The nearest developable shape whose borders don't kink, if that is soon found; else what it came to,
-/// stuck.
+/// The nearest developable shape whose borders don't kink, if that is soon found; else the start, stuck.
 NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, double smoothness,
 								int maxIterations, const Progress& progress) {
 	const int steps = std::min(maxIterations, problem.tuning().limitedSteps);
@@ -120,7 +117,8 @@ NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, 
 	Ending ending = attempt(problem, run, false, nearest);
 	if (ending == Ending::OutOfSteps && steps < maxIterations)
 		ending = Ending::Stuck;
-	return {ending,     run.iterations(), run.iterations() > 0 ? run.nearest() : start,
+	const bool moved = ending != Ending::Stuck && run.iterations() > 0;
+	return {ending,     run.iterations(), moved ? run.nearest() : start,
 			smoothness, nearest,          ending == Ending::Reached};
 }
 
@@ -135,12 +133,7 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 	NewtonOutcome best = attemptWithLimits(problem, start, smoothness, maxIterations, progress);
 	if (best.ending != Ending::Stuck)
 		return best;
-	if (better(assembly, flatDefects(assembly, best.positions), leastDefects))
-		leastDefects = flatDefects(assembly, best.positions);
-	else
-		best.positions = start;
 	problem.jacobian().freeBorders(true);
-	bool tooStiffBefore = false;
 	for (int i = 0; i < tuning.attempts; ++i) {
 		problem.setSmoothness(smoothnesses);
 		const Progress progressOfThis = progressOfAttempt(progress, i + 1);
@@ -164,9 +157,8 @@ NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double
 		if (best.ending != Ending::Stuck ||
 			best.nearestDevelopable > 0) // more smoothness leads farther still
 			break;
-		if (problem.budget().spent() || hopeless(problem, run, tooStiffBefore))
+		if (problem.budget().spent() || hopeless(problem, run))
 			break;
-		tooStiffBefore = problem.metric().tooStiff();
 		if (i > 0)
 			smoothnesses = problem.goal()
 							   .unmetPatches(assembly, defects)

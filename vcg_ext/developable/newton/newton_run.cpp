@@ -34,9 +34,8 @@ void pullBack(const Positions& original, const Positions& from, Positions& move,
 
 NewtonRun::NewtonRun(const NewtonProblem& problem, const Positions& start, int maxIterations,
 					 const Progress& progress)
-	: problem_(problem), progress_(progress), maxIterations_(maxIterations), start_(start),
-	  nearest_(problem.shapeAt(start)) {
-	moveTo(nearest_);
+	: problem_(problem), progress_(progress), maxIterations_(maxIterations), start_(start), lastNear_(start) {
+	moveTo(problem.shapeAt(start));
 	startCurvature_ = shape_.curvature;
 }
 
@@ -83,13 +82,8 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 
 void NewtonRun::moveTo(Shape shape) {
 	shape_ = std::move(shape);
-	consider(shape_);
-}
-
-void NewtonRun::consider(const Shape& shape) {
-	const auto curved = [](const Shape& of) { return of.scaledDefects.squaredNorm(); };
-	if (isNear(shape) && (shape.reached || (!nearest_.reached && curved(shape) < curved(nearest_))))
-		nearest_ = shape;
+	if (isNear())
+		lastNear_ = shape_.positions;
 }
 
 } // namespace developable::detail

@@ -65,20 +65,16 @@ public:
 	double descend(const Positions& direction, const Merit& merit, double slope, int halvings,
 				   double farthest = std::numeric_limits<double>::infinity());
 
-	/// Of the shapes within the bound on displacements the last that was developable, or else the least
-	/// curved; at first the start, which has to be within it.
-	const Positions& nearest() const { return nearest_.positions; }
-
-	/// Counts a shape among those, without going there.
-	void consider(const Shape& shape);
+	/// The last shape that was within the bound on displacements; at first the start, which has to be.
+	const Positions& nearest() const { return lastNear_; }
 
 	/// It led to a developable shape, but farther away than places may go.
-	bool farOff() const { return shape_.reached && !isNear(shape_); }
+	bool farOff() const { return shape_.reached && !isNear(); }
 
 private:
 	/// Of the run, as far as one can tell, 0 to 1.
 	double shareDone() const;
-	bool isNear(const Shape& shape) const { return shape.farthest <= problem_.goal().farthest; }
+	bool isNear() const { return shape_.farthest <= problem_.goal().farthest; }
 	void moveTo(Shape shape);
 
 	const NewtonProblem& problem_;
@@ -87,7 +83,7 @@ private:
 	int iterations_ = 0;
 	Shape shape_;
 	const Positions start_;
-	Shape nearest_;
+	Positions lastNear_;
 	double startCurvature_ = 0;
 };
 

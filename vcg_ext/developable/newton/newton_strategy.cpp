@@ -34,22 +34,6 @@ Positions soundStart(const NewtonProblem& problem, const Positions& displacement
 	return original;
 }
 
-/// To the least squares of g along the normals, begun anew as long as that helps: with triangles no stiffer
-/// than at first, and with other normals.
-Ending toLeastSquares(NewtonProblem& problem, NewtonRun& run, double smoothness) {
-	const NewtonTuning& tuning = problem.tuning();
-	const Eigen::VectorXd same = Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness);
-	for (int round = 0;; ++round) {
-		const double before = run.shape().scaledDefects.squaredNorm();
-		problem.setSmoothness(same);
-		const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
-		const double left = run.shape().scaledDefects.squaredNorm();
-		if (ending != Ending::Stuck || round == tuning.leastSquares ||
-			left > tuning.leastSquaresLeft * before)
-			return ending;
-	}
-}
-
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
 /// WorkBudget: most of it on the coarsest, and steps along the normals on the others.
 double expectedWork(double places, const NewtonTuning& tuning) {
@@ -188,25 +172,24 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	return refine(level, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
 }
 
-/// Where there is no way to g = 0, steps along the normals go on to the least squares of it.
+/// Where held places, or the bound on displacements, leave no way to g = 0, steps along the normals go on to
+/// the least squares of it.
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
 											const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
 	NewtonProblem problem = problemOf(level);
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
-	const bool hemmedIn = holdsPlaces(assembly) || outcome.nearestDevelopable > 0;
-	const bool wanted = tuning_.leastSquares > 0 && (hemmedIn || !budget_->spent());
-	if (outcome.ending != Ending::Stuck || !wanted || stepsLeft <= 0)
+	const bool hemmedIn =
+		tuning_.leastSquares > 0 && (holdsPlaces(assembly) || outcome.nearestDevelopable > 0);
+	if (outcome.ending != Ending::Stuck || !hemmedIn || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
-	const Ending ending = toLeastSquares(problem, run, smoothness_);
+	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	outcome.iterations += run.iterations();
-	if (better(assembly, flatDefects(assembly, run.shape().positions),
-			   flatDefects(assembly, outcome.positions)))
-		outcome.positions = run.shape().positions;
+	outcome.positions = run.shape().positions;
 	// Least squares are approached slowly: to run out of steps there is no more than to be stuck.
 	if (ending != Ending::OutOfSteps)
 		outcome.ending = ending;
@@ -223,8 +206,7 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 	const Positions moved = level.reference().originalPositions + displacement - assembly.originalPositions;
 	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
 	const bool solved = coarse.ending == Ending::Reached;
-	Ending ending = solved ? stepsWithin(problem, run, problem.goal().farthest, 2)
-						   : toLeastSquares(problem, run, smoothness_);
+	Ending ending = stepsWithin(problem, run, problem.goal().farthest, solved ? 2 : 1);
 	if (ending == Ending::Reached && pullBackWithinPreferred(problem, run) == Ending::Stopped)
 		ending = Ending::Stopped;
 	NewtonOutcome outcome{ending,

@@ -43,8 +43,6 @@ struct NewtonTuning {
 	// Restoration: the shortest steps to g = 0.
 	int restorationPatience = 5;      ///< steps in a row that change next to nothing
 	double restorationIdle = 0.99;    ///< share of |g|² that is left by a step that changes next to nothing
-	int restorationReview = 8;        ///< steps in a row that are judged together
-	double restorationSlow = 0.5;     ///< share of |g|² that those may leave: success halves it in each
 	double restorationDecrease = 0.1; ///< of ε after a full step: Newton's method converges quadratically
 	double restorationIncrease = 4;   ///< of ε after a short step
 	double restorationRetry = 16;     ///< of ε when no step was any good
@@ -79,7 +77,7 @@ struct NewtonTuning {
 	int responseSteps = 3;    ///< of the power iteration for the greatest response
 	int systemSteps = 200;    ///< of conjugate gradients; some tens are usual
 	int slowSystem = 15;      ///< more products: the systems of this run are factorised from then on
-	int slowStiffSystem = 15; ///< the same of a run that makes triangles stiffer
+	int slowStiffSystem = 60; ///< the same of a run that makes triangles stiffer
 	int directWork = 30;      ///< of a system that is factorised, in steps of conjugate gradients
 	double plainAbove = 0.01; ///< share of the greatest response: with such an ε no preconditioner pays
 	double slackMass = 100;   ///< κ of the preconditioner
@@ -110,8 +108,7 @@ struct NewtonTuning {
 	double pullBackShare = 0.7;   ///< of the displacement, at the second try
 	int pullBackRounds = 4;       ///< a try, each with more heavy places
 	int pullBackSteps = 200;      ///< a try
-	int leastSquares = 3; ///< times that steps to the least squares of g begin anew; 0: there are none
-	double leastSquaresLeft = 0.9; ///< share of |g|² that such a round may leave
+	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
 
 	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very
 	// thin triangles.

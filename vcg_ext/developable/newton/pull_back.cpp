@@ -50,7 +50,6 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 			run.goBackTo(back.shape());
 		if (ending == Ending::Reached || ending == Ending::Stopped)
 			return ending;
-		run.consider(back.shape());
 	}
 	return Ending::Stuck;
 }

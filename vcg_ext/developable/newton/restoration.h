@@ -13,12 +13,10 @@ public:
 	/// \param epsilon  the first
 	Restoration(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon);
 
-	/// \return Reached; Stuck, where steps have stopped to make a difference, or
-	///         make next to none; Unsolvable; OutOfSteps; Stopped
+	/// \return Reached; Stuck, where steps have stopped to make a difference; Unsolvable; OutOfSteps; Stopped
 	Ending restore();
 
 private:
-	bool crawls(const std::vector<double>& squares) const;
 	double epsilonFactor(double length) const;
 
 	NewtonProblem& problem_;
