@@ -143,8 +143,8 @@ std::vector<Parameter> parameters() {
 		onlyFor(Solver::ConstrainedNewton,
 				floatParameter("fairness", ConstrainedNewtonOptions().fairness, {0, false, 1}, "",
 							   "Detail smoothed away",
-							   "how much detail is smoothed away: bumps that are shorter than this share of "
-							   "the size of all that hangs together. At 0 the surface keeps its detail.")),
+							   "how much detail is smoothed away: bumps shorter than this share of "
+							   "the size of their part. At 0 the surface keeps its detail.")),
 		onlyFor(
 			Solver::ConstrainedNewton,
 			automaticLength(

@@ -91,7 +91,7 @@ GLOBAL = Filter(
             Number(maximum=1),
             0.0,
             "",
-            "Constrained Newton only: how much detail is smoothed away: bumps that are shorter than this share of the size of all that hangs together.",
+            "Constrained Newton only: how much detail is smoothed away: bumps shorter than this share of the size of their part.",
         ),
         Parameter(
             "max_displacement",

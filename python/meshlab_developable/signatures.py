@@ -154,7 +154,7 @@ def make_developable(
         smoothness (> 0; ≤ 1; only for 'global'): Constrained Newton only: how much weight bending has
             against distance; larger values give fewer wrinkles.
         fairness (≤ 1; only for 'global'): Constrained Newton only: how much detail is smoothed away: bumps
-            that are shorter than this share of the size of all that hangs together.
+            shorter than this share of the size of their part.
         max_displacement (length): Constrained Newton only: no vertex ends farther than this from where it
             was; -1 means 15 % of its part's diagonal. For 'local': How far a vertex may move along its
             original normal; -1 means the mean edge length.
