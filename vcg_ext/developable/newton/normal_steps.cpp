@@ -45,7 +45,8 @@ bool NormalSteps::factorize() {
 	along_ = problem_.jacobian().along(normals_);
 	if (epsilon_ == 0) // normals are one long, so W and NᵀWN have the same trace
 		epsilon_ = tuning.firstDamping * along_.squaredNorm() / problem_.metric().matrix().diagonal().sum();
-	for (int i = 0; solver_.factorize(system_.fill(along_, normals_, problem_.metric().matrix(), epsilon_)); ++i) {
+	for (int i = 0; solver_.factorize(system_.fill(along_, normals_, problem_.metric().matrix(), epsilon_));
+		 ++i) {
 		firstStep_ = wholeStep();
 		if (i == tuning.stiffenings || problem_.metric().tooStiff() ||
 			!problem_.stiffenFor(positions + firstStep_))

@@ -39,8 +39,10 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 		PanelPlan plan(patches, limits, options, progress);
 		const bool hold = plan.search(deviation);
 		FoundPanels next{plan.planned(), hold, plan.stopped(), {}};
-		if (found.empty() || next.stopped || isBetter(next, found.front()))
-			found.assign(1, std::move(next));
+		if (found.empty() || next.stopped || isBetter(next, found.front())) {
+			found.clear();
+			found.push_back(std::move(next));
+		}
 		work += plan.work();
 		if (plan.stopped() || work > littleWork || seamChains(plan.planned().surface).empty())
 			break;
