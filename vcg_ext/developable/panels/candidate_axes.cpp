@@ -89,7 +89,7 @@ AreaMoments areaMoments(const TriangleMesh& mesh) {
 
 std::vector<Eigen::Matrix3d> candidateAxes(const TriangleMesh& mesh, const Eigen::Matrix3d& covariance) {
 	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-	const Eigen::Vector3d moments = solver.eigenvalues();
+	const Eigen::Vector3d& moments = solver.eigenvalues();
 	const bool lower = moments[1] - moments[0] > distinct, upper = moments[2] - moments[1] > distinct;
 	std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> axes; // x, z
 	const auto add = [&](const std::vector<Eigen::Vector3d>& directions, const Eigen::Vector3d& z) {
