@@ -23,7 +23,7 @@ TEST(Unfairness, OfAFlatSheetIsItsDistanceInBothNorms) {
 	lifted.row(2).array() += 0.1;
 	EXPECT_NEAR(unfairness.at(lifted), 2 * 0.01, 1e-12);
 	// Each norm alone would bring it back: so does their sum.
-	EXPECT_LT((lifted + unfairness.step(lifted) - sheet.originalPositions).norm(), 1e-9);
+	EXPECT_LT((lifted + unfairness.step(lifted).move - sheet.originalPositions).norm(), 1e-9);
 }
 
 TEST(Unfairness, CountsPlacesThatSlideAlongTheSurfaceForNothing) {

@@ -20,12 +20,12 @@ Ending FairDescent::run(Positions& positions, const Progress& progress) {
 	for (int round = 0; round < tuning_.fairRounds; ++round) {
 		const Progress ofRound =
 			partOf(progress, double(round) / tuning_.fairRounds, double(round + 1) / tuning_.fairRounds);
-		const Positions step = unfairness_.step(positions);
+		const Unfairness::Step step = unfairness_.step(positions);
 		const double before = least_;
 		std::optional<Positions> fairer;
 		for (int halving = 0; !fairer && !stopped_ && halving <= tuning_.fairHalvings; ++halving) {
 			length = halving == 0 ? std::min(1.0, 2 * length) : length / 2;
-			fairer = towards(positions + length * step, positions, ofRound);
+			fairer = along(step, length, positions, ofRound);
 		}
 		if (stopped_)
 			return Ending::Stopped;
@@ -39,16 +39,16 @@ Ending FairDescent::run(Positions& positions, const Progress& progress) {
 	return Ending::Reached;
 }
 
-std::optional<Positions> FairDescent::towards(const Positions& aim, const Positions& from,
-											  const Progress& progress) {
+std::optional<Positions> FairDescent::along(const Unfairness::Step& step, double share, const Positions& from,
+											const Progress& progress) {
 	const PatchAssembly& original = unfairness_.original();
 	PatchAssembly reference = original;
-	reference.originalPositions = aim;
+	reference.originalPositions = from + share * step.move;
 	NewtonProblem problem(original, reference, goal_, tuning_, memoryLimit_, unfairness_.shapeSmoothness());
 	problem.setBudget(budget_);
 	problem.setSmoothness(Eigen::VectorXd::Constant(original.patchCount(), smoothness_));
 	problem.jacobian().freeBorders(true);
-	problem.weigh(unfairness_.extraMasses(from));
+	problem.weigh(step.extraMasses);
 	NewtonRun run(problem, from, maxIterations_, progress);
 	const Ending ending = approach(problem, run);
 	iterations_ += run.iterations();

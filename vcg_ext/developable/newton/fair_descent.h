@@ -29,8 +29,9 @@ public:
 	int iterations() const { return iterations_; }
 
 private:
-	/// A fairer shape on the way to an aim, if it has found one.
-	std::optional<Positions> towards(const Positions& aim, const Positions& from, const Progress& progress);
+	/// A fairer shape on the way along a share of a step, if it has found one.
+	std::optional<Positions> along(const Unfairness::Step& step, double share, const Positions& from,
+								   const Progress& progress);
 
 	/// Steps towards what the problem is to be near, and back to g = 0.
 	Ending approach(NewtonProblem& problem, NewtonRun& run) const;

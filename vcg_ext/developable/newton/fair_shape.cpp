@@ -12,7 +12,7 @@ PatchAssembly fairShape(const Unfairness& unfairness, const CurvatureGoal& goal,
 	const Soundness soundness(original, tuning);
 	PatchAssembly shape = original;
 	for (int i = 0; i < tuning.fairSteps; ++i) {
-		const Positions next = shape.originalPositions + unfairness.step(shape.originalPositions);
+		const Positions next = shape.originalPositions + unfairness.step(shape.originalPositions).move;
 		if (!(farthestMove(original, next) <= goal.farthest) || !soundness.holds(next))
 			break;
 		shape.originalPositions = next;

@@ -14,6 +14,14 @@ double fourthNorm(const Eigen::VectorXd& squares, const Eigen::VectorXd& masses)
 	return std::sqrt(masses.dot(squares.cwiseAbs2()));
 }
 
+Eigen::VectorXd extraMasses(const Positions& distances, const Eigen::VectorXd& masses) {
+	const Eigen::VectorXd squares = distances.colwise().squaredNorm();
+	const double norm = fourthNorm(squares, masses);
+	if (!(norm > 0))
+		return Eigen::VectorXd::Zero(masses.size());
+	return masses.cwiseProduct(squares) / norm;
+}
+
 PatchAssembly movedTo(const PatchAssembly& assembly, const Positions& positions) {
 	PatchAssembly moved = assembly;
 	moved.originalPositions = positions;
@@ -41,28 +49,22 @@ double Unfairness::at(const Positions& positions) const {
 		   positions.cwiseProduct(metric.bendingForce(positions, smoothness)).sum();
 }
 
-Positions Unfairness::step(const Positions& positions) const {
+Unfairness::Step Unfairness::step(const Positions& positions) const {
 	const PatchAssembly shape = movedTo(original_, positions);
 	BendingMetric metric(shape, tuning_, memoryLimit_);
 	const Smoothness smoothness = {Eigen::VectorXd::Zero(shape.patchCount()), shapeSmoothness_};
 	metric.setSmoothness(smoothness);
-	metric.weigh(extraMasses(positions));
+	Positions pull = toOriginal(positions);
+	Step result = {Positions::Zero(3, positions.cols()), extraMasses(pull, metric.placeMass())};
+	metric.weigh(result.extraMasses);
 	if (!metric.factorize())
-		return Positions::Zero(3, positions.cols());
-	Positions pull = toOriginal(positions) * metric.weight().asDiagonal();
+		return result;
+	pull *= metric.weight().asDiagonal();
 	for (int place = 0; place < shape.placeCount(); ++place)
 		if (shape.placeFixed[place])
 			pull.col(place).setZero();
-	return metric.solve(pull - metric.bendingForce(positions, smoothness));
-}
-
-Eigen::VectorXd Unfairness::extraMasses(const Positions& positions) const {
-	const Eigen::VectorXd masses = placeMasses(movedTo(original_, positions));
-	const Eigen::VectorXd squares = toOriginal(positions).colwise().squaredNorm();
-	const double norm = fourthNorm(squares, masses);
-	if (!(norm > 0))
-		return Eigen::VectorXd::Zero(masses.size());
-	return masses.cwiseProduct(squares) / norm;
+	result.move = metric.solve(pull - metric.bendingForce(positions, smoothness));
+	return result;
 }
 
 Positions Unfairness::toOriginal(const Positions& positions) const {

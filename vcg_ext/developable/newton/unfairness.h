@@ -30,11 +30,14 @@ public:
 	/// Length².
 	double at(const Positions& positions) const;
 
-	/// A step of Newton's method, held places still; nothing where rounding spoils the system.
-	Positions step(const Positions& positions) const;
+	struct Step {
+		Positions move; ///< held places stay; nothing where rounding spoils the system
+		/// What the second norm adds to the share of the area that each place has.
+		Eigen::VectorXd extraMasses;
+	};
 
-	/// What the second norm adds to the share of the area that each place has.
-	Eigen::VectorXd extraMasses(const Positions& positions) const;
+	/// A step of Newton's method.
+	Step step(const Positions& positions) const;
 
 private:
 	Positions toOriginal(const Positions& positions) const;
