@@ -103,7 +103,7 @@ private:
 			trials.push_back(trialAcross(surface_, part.halfEdges));
 		std::vector<char> mayGo;
 		for (const PanelVerdict& verdict : tests_.test(trials))
-			mayGo.push_back(verdict.flat && verdict.disk);
+			mayGo.push_back(verdict.isPanel());
 		return mayGo;
 	}
 

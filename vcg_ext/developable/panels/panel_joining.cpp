@@ -56,7 +56,7 @@ private:
 			trials.push_back(trialAcross(surface_, chain.halfEdges));
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)
-			if (verdicts[i].flat && verdicts[i].disk)
+			if (verdicts[i].isPanel())
 				history_.join(surface_, batch[i].halfEdges);
 			else
 				history_.refuse(surface_, batch[i].halfEdges);

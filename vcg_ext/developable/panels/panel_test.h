@@ -28,6 +28,8 @@ struct PanelVerdict {
 	double meanDisplacement = 0;
 	Eigen::Vector3d worstPoint =
 		Eigen::Vector3d::Zero(); ///< where the largest angle defect is left or was, or what moves too far
+
+	bool isPanel() const { return flat && disk; }
 };
 
 /// \param mesh  a panel; vertices doubled along its slits and darts coincide

@@ -67,6 +67,13 @@ std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials
 	return verdicts;
 }
 
+bool PanelTests::areAllPanels(const std::vector<PanelTrial>& trials) {
+	const std::vector<PanelVerdict> verdicts = test(trials);
+	return std::all_of(verdicts.begin(), verdicts.end(),
+					   [](const auto& verdict) { return verdict.isPanel(); }) &&
+		   !stopped_;
+}
+
 bool PanelTests::mayGoOn(double fractionDone, const std::string& message) {
 	fractionDone_ = std::max(fractionDone, fractionDone_);
 	if (message_ != message)

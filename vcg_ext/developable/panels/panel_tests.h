@@ -34,6 +34,8 @@ public:
 	void scaleLimits(double factor);
 
 	std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials);
+	/// Whether all are panels; not when the user asks for a stop.
+	bool areAllPanels(const std::vector<PanelTrial>& trials);
 
 	/// Says how far the work is. \return false when the user asked for a stop, now or before
 	bool mayGoOn(double fractionDone, const std::string& message);

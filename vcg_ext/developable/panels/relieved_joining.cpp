@@ -25,7 +25,7 @@ struct Union {
 	double dartLength = 0;
 	PanelVerdict verdict;
 
-	bool holds() const { return verdict.flat && verdict.disk; }
+	bool holds() const { return verdict.isPanel(); }
 };
 
 class RelievedJoining {

@@ -75,10 +75,7 @@ bool growInto(CutSurface& surface, PanelTests& tests, int panel, int neighbour,
 			return false;
 		trials.push_back(trialOf(next, next.trianglesOf(one)));
 	}
-	for (const PanelVerdict& verdict : tests.test(trials))
-		if (!verdict.flat || !verdict.disk)
-			return false;
-	if (tests.stopped())
+	if (!tests.areAllPanels(trials))
 		return false;
 	surface = std::move(next);
 	return true;

@@ -101,10 +101,7 @@ private:
 		trials.push_back(trialOf(joined, joined.trianglesOf(panel)));
 		if (other != panel)
 			trials.push_back(trialOf(joined, joined.trianglesOf(other)));
-		for (const PanelVerdict& verdict : tests_.test(trials))
-			if (!verdict.flat || !verdict.disk)
-				return false;
-		if (tests_.stopped())
+		if (!tests_.areAllPanels(trials))
 			return false;
 		surface_ = std::move(joined);
 		return true;
