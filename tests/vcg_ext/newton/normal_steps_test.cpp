@@ -10,7 +10,7 @@ TEST(NormalSystem, IsTheProductThatItStandsFor) {
 	detail::BendingMetric metric(assembly, {}, 0);
 	metric.setSmoothness({Eigen::VectorXd::Constant(assembly.patchCount(), 1e-4)});
 	detail::DefectJacobian jacobian(assembly, metric.placeMass(), 0.1);
-	detail::NormalSystem system, inCoordinates;
+	detail::NormalSystem system(0), inCoordinates(0);
 	for (const double noise : {0.0, 0.01}) { // the second time with the pattern of the first
 		const Positions positions =
 			assembly.originalPositions + noise * Positions::Random(3, assembly.placeCount());
@@ -20,13 +20,14 @@ TEST(NormalSystem, IsTheProductThatItStandsFor) {
 		const Eigen::MatrixXd w = SparseMatrix(metric.matrix().selfadjointView<Eigen::Lower>());
 		const Eigen::MatrixXd expected =
 			along.transpose() * along + 0.3 * w.cwiseProduct(normals.transpose() * normals);
-		const Eigen::MatrixXd found =
-			system.fill(jacobian.along(normals), normals, metric.matrix(), 0.3).toDense();
+		ASSERT_TRUE(system.factorize(jacobian.along(normals), normals, metric.matrix(), 0.3));
+		const Eigen::MatrixXd found = system.lower().toDense();
 		const Eigen::MatrixXd lower = expected.triangularView<Eigen::Lower>();
 		EXPECT_LT((found - lower).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
 
 		const Eigen::Matrix3Xd coordinates = Eigen::Matrix3d::Identity().replicate(1, assembly.placeCount());
-		const SparseMatrix& all = inCoordinates.fill(jacobian.matrix(), coordinates, metric.matrix(), 0.3);
+		ASSERT_TRUE(inCoordinates.factorize(jacobian.matrix(), coordinates, metric.matrix(), 0.3));
+		const SparseMatrix& all = inCoordinates.lower();
 		const Positions move = Positions::Random(3, assembly.placeCount());
 		const Eigen::VectorXd product = all.selfadjointView<Eigen::Lower>() * move.reshaped();
 		const Eigen::VectorXd image =

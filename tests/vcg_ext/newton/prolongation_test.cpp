@@ -13,17 +13,15 @@ TEST(Prolongation, KeepsAffineDisplacements) {
 	slope << 0.3, -0.2, 1, 0.5, 0.1, 0.4, -0.7, 0.2, 0.6;
 	const Positions expected = slope * fine.originalPositions;
 	const Positions result =
-		detail::prolonged(fine, coarse, expected(Eigen::all, coarse.wholePlace).eval(), {});
+		detail::Prolongation(fine, coarse, {}).of(expected(Eigen::all, coarse.wholePlace));
 	EXPECT_LT((result - expected).cwiseAbs().maxCoeff(),
 			  0.02); // of 1: the surface is curved, so not quite free
 	const PatchAssembly sheet = assembled(jitteredGrid(31, 31, flatSheet));
 	const PartialAssembly coarseSheet = detail::Coarsening(sheet, {}).coarsen(300);
 	const Positions affine = slope * sheet.originalPositions;
-	EXPECT_LT((detail::prolonged(sheet, coarseSheet, affine(Eigen::all, coarseSheet.wholePlace).eval(), {}) -
-			   affine)
-				  .cwiseAbs()
-				  .maxCoeff(),
-			  1e-4);
+	const Positions carried =
+		detail::Prolongation(sheet, coarseSheet, {}).of(affine(Eigen::all, coarseSheet.wholePlace));
+	EXPECT_LT((carried - affine).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 
 #include <Eigen/CholmodSupport>
 #include <dense_threads.h>
-#include <mutex>
 #include <new>
 #include <out_of_memory.h>
 #else
@@ -29,11 +28,7 @@ public:
 
 	bool positiveDefinite() const { return info() == Eigen::Success; }
 
-	/// METIS draws its random numbers from one row for the whole process, begun anew for each order: one
-	/// order at a time, so that it is the same on every run.
 	void findOrder(const SparseMatrix& matrix) {
-		static std::mutex oneAtATime;
-		const std::lock_guard lock(oneAtATime);
 		forgetOutOfMemory();
 		analyzePattern(matrix);
 		requireMemory();

@@ -24,6 +24,9 @@ public:
 	SparseSolver& operator=(SparseSolver&&) noexcept;
 	~SparseSolver();
 
+	/// Finds the order of elimination for matrices of this pattern; else the first factorisation does.
+	void prepare(const SparseMatrix& lower);
+
 	/// Of the matrix only the lower triangle is read. \return whether it succeeded
 	bool factorize(const SparseMatrix& lower);
 

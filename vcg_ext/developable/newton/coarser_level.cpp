@@ -13,7 +13,7 @@ PartialAssembly coarserLevel(const PatchAssembly& assembly, int placesWanted) {
 
 Positions carriedOver(const PatchAssembly& fine, const PartialAssembly& coarse,
 					  const Positions& coarseDisplacement) {
-	return detail::prolonged(fine, coarse, coarseDisplacement, NewtonTuning());
+	return detail::Prolongation(fine, coarse, NewtonTuning()).of(coarseDisplacement);
 }
 
 } // namespace developable

@@ -10,7 +10,7 @@ namespace developable {
 PartialAssembly coarserLevel(const PatchAssembly& assembly, int placesWanted);
 
 /// The displacement of all fine places that is nearest to that of the coarse ones without bending on the
-/// scale of the coarse edges (see detail::prolonged). \return 3 x fine places
+/// scale of the coarse edges (see detail::Prolongation). \return 3 x fine places
 Positions carriedOver(const PatchAssembly& fine, const PartialAssembly& coarse,
 					  const Positions& coarseDisplacement);
 

@@ -16,18 +16,12 @@ constexpr std::size_t fewRows = 40;
 bool DirectSystem::solve(const SparseMatrix& metric, const DefectJacobian& jacobian, const Eigen::VectorXd& b,
 						 double epsilon, Positions& response) {
 	const Eigen::Matrix3Xd coordinates = Eigen::Matrix3d::Identity().replicate(1, metric.cols());
-	const SparseMatrix& lower = system_.fill(jacobian.matrix(), coordinates, metric, epsilon);
-	if (lower.nonZeros() != nonZeros_) {
-		solver_ = SparseSolver(memoryLimit_);
-		nonZeros_ = lower.nonZeros();
-	}
 	rowsFactorized_ = jacobian.foreseenRows().size();
-	if (!solver_.factorize(lower) || solver_.iterates()) {
-		nonZeros_ = 0;
+	factorized_ = system_.factorize(jacobian.matrix(), coordinates, metric, epsilon) && !system_.iterates();
+	if (!factorized_)
 		return false;
-	}
 	const Eigen::VectorXd force = jacobian.applyTransposed(b).reshaped();
-	response = solver_.solve(force).reshaped(3, metric.cols());
+	response = system_.solve(force).reshaped(3, metric.cols());
 	return response.allFinite();
 }
 
@@ -36,7 +30,7 @@ bool DirectSystem::solveForeseen(const SparseMatrix& metric, const DefectJacobia
 								 const Eigen::VectorXd& b, double epsilon, Positions& response) {
 	const std::vector<int> rows = jacobian.foreseenRows();
 	const std::size_t count = rows.size() - rowsFactorized_;
-	if (nonZeros_ == 0 || count > fewRows)
+	if (!factorized_ || count > fewRows)
 		return solve(metric, jacobian, b, epsilon, response);
 	const int newRows = static_cast<int>(count);
 	Eigen::MatrixXd transposed(3 * metric.cols(), newRows + 1); // Rᵀ and f
@@ -44,7 +38,7 @@ bool DirectSystem::solveForeseen(const SparseMatrix& metric, const DefectJacobia
 		transposed.col(i) =
 			jacobian.applyTransposed(Eigen::VectorXd::Unit(b.size(), rows[rowsFactorized_ + i])).reshaped();
 	transposed.col(newRows) = jacobian.applyTransposed(b).reshaped();
-	const Eigen::MatrixXd solved = solver_.solve(transposed);
+	const Eigen::MatrixXd solved = system_.solve(transposed);
 	const Eigen::MatrixXd products = transposed.leftCols(newRows).transpose() * solved;
 	const Eigen::MatrixXd small = products.leftCols(newRows) + Eigen::MatrixXd::Identity(newRows, newRows);
 	const Eigen::VectorXd x =

@@ -15,7 +15,7 @@ namespace developable::detail {
 class DirectSystem {
 public:
 	/// \param memoryLimit  see SparseSolver
-	explicit DirectSystem(double memoryLimit) : memoryLimit_(memoryLimit), solver_(memoryLimit) {}
+	explicit DirectSystem(double memoryLimit) : system_(memoryLimit) {}
 
 	/// \param metric    W, its lower triangle
 	/// \param response  3 x places; becomes W⁻¹ Jᵀ y
@@ -29,10 +29,8 @@ public:
 					   double epsilon, Positions& response);
 
 private:
-	double memoryLimit_;
 	NormalSystem system_;
-	SparseSolver solver_;
-	Eigen::Index nonZeros_ = 0;      // of the pattern that the solver knows
+	bool factorized_ = false;
 	std::size_t rowsFactorized_ = 0; // of those that were foreseen
 };
 

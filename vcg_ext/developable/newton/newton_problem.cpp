@@ -12,11 +12,17 @@ NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const PatchAssembly&
 	: assembly_(assembly), reference_(reference), goal_(goal), tuning_(tuning), memoryLimit_(memoryLimit),
 	  diagonal_(boxDiagonal(assembly.originalPositions)), metric_(reference, tuning, memoryLimit),
 	  jacobian_(assembly, metric_.placeMass(), tuning.borderTurn * pi / 180), soundness_(assembly, tuning),
-	  shapeSmoothness_(shapeSmoothness) {}
+	  normalSystem_(memoryLimit), shapeSmoothness_(shapeSmoothness) {}
 
 void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
 	metric_.setSmoothness({smoothness, shapeSmoothness_});
 	jacobian_.setPlaceMass(metric_.weight());
+}
+
+void NewtonProblem::prepareNormalSystem() {
+	const Positions& original = assembly_.originalPositions;
+	jacobian_.linearize(original);
+	normalSystem_.prepare(jacobian_.along(placeNormals(assembly_, original)), metric_.matrix());
 }
 
 Shape NewtonProblem::shapeAt(const Positions& positions) const {

@@ -5,6 +5,7 @@
 #include "bending_metric.h"
 #include "curvature_goal.h"
 #include "defect_jacobian.h"
+#include "normal_system.h"
 #include "soundness.h"
 #include "work_budget.h"
 
@@ -71,6 +72,12 @@ public:
 	const BendingMetric& metric() const { return metric_; }
 	DefectJacobian& jacobian() { return jacobian_; }
 	const Soundness& soundness() const { return soundness_; }
+	/// That of steps along the normals, whose order of elimination serves for all.
+	NormalSystem& normalSystem() { return normalSystem_; }
+	/// Finds that order beforehand.
+	void prepareNormalSystem();
+	/// Gives back the memory of its factor.
+	void forgetNormalSystem() { normalSystem_ = NormalSystem(memoryLimit_); }
 
 	/// What all work on this problem is taken from; at first without limit.
 	WorkBudget& budget() const { return *budget_; }
@@ -84,6 +91,7 @@ private:
 	BendingMetric metric_;
 	DefectJacobian jacobian_;
 	Soundness soundness_;
+	NormalSystem normalSystem_;
 	const double shapeSmoothness_; // φ
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 };

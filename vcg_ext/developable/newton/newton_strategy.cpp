@@ -7,8 +7,8 @@
 #include "fair_descent.h"
 #include "fair_shape.h"
 #include "normal_steps.h"
-#include "prolongation.h"
 #include "pull_back.h"
+#include "refinement.h"
 #include "shortest_steps.h"
 
 #include <chrono>
@@ -93,10 +93,10 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 
 NewtonOutcome NewtonStrategy::solveShortest(const Level& level, const Positions& start,
 											const Progress& progress) const {
-	NewtonProblem problem = problemOf(level);
-	problem.jacobian().freeBorders(true);
-	NewtonRun run(problem, start, maxIterations_, progress);
-	const Ending ending = ShortestSteps(problem, run).run();
+	const std::unique_ptr<NewtonProblem> problem = problemOf(level);
+	problem->jacobian().freeBorders(true);
+	NewtonRun run(*problem, start, maxIterations_, progress);
+	const Ending ending = ShortestSteps(*problem, run).run();
 	return {ending, run.iterations(), run.shape().positions, smoothness_};
 }
 
@@ -112,11 +112,19 @@ Unfairness NewtonStrategy::unfairnessOf(const PatchAssembly& assembly) const {
 }
 
 /// A border may turn at one vertex by so much more as edges are longer.
-NewtonProblem NewtonStrategy::problemOf(const Level& level) const {
+std::unique_ptr<NewtonProblem> NewtonStrategy::problemOf(const Level& level) const {
 	NewtonTuning tuning = tuning_;
 	tuning.borderTurn *= level.coarseness;
-	NewtonProblem problem(level.assembly, level.reference(), goal_, tuning, memoryLimit_, shapeSmoothness_);
-	problem.setBudget(budget_);
+	auto problem = std::make_unique<NewtonProblem>(level.assembly, level.reference(), goal_, tuning,
+												   memoryLimit_, shapeSmoothness_);
+	problem->setBudget(budget_);
+	return problem;
+}
+
+std::unique_ptr<NewtonProblem> NewtonStrategy::fineProblemOf(const Level& level) const {
+	std::unique_ptr<NewtonProblem> problem = problemOf(level);
+	problem->setSmoothness(Eigen::VectorXd::Constant(level.assembly.patchCount(), smoothness_));
+	problem->jacobian().freeBorders(true);
 	return problem;
 }
 
@@ -158,8 +166,14 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const auto begin = std::chrono::steady_clock::now();
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
-	NewtonOutcome coarseOutcome =
-		coarser(descends(level)).solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
+	NewtonOutcome coarseOutcome;
+	Refinement refinement(assembly, coarse, tuning_, memoryLimit_, [&] { return fineProblemOf(level); });
+	refinement.prepareBeside(
+		{1,
+		 [&](const Progress& progressOfCoarse) {
+			 coarseOutcome = coarser(descends(level)).solveLevel(coarseLevel, coarseStart, progressOfCoarse);
+		 }},
+		partOf(progress, 0, coarseShare));
 	if (coarseOutcome.ending == Ending::Stopped || coarseOutcome.ending == Ending::TooFar) {
 		coarseOutcome.positions = start;
 		return coarseOutcome;
@@ -167,9 +181,9 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 	const std::string announcement = announce(assembly, taken.count() * std::pow(sizes, growth));
 	const Positions displacement =
-		prolonged(assembly, coarse, coarseOutcome.positions - coarseLevel.reference().originalPositions,
-				  tuning_, memoryLimit_);
-	return refine(level, displacement, coarseOutcome, partOf(progress, coarseShare, 1, announcement));
+		refinement.prolonged(coarseOutcome.positions - coarseLevel.reference().originalPositions);
+	return refine(level, refinement.problem(), displacement, coarseOutcome,
+				  partOf(progress, coarseShare, 1, announcement));
 }
 
 /// Where held places, or the bound on displacements, leave no way to g = 0, steps along the normals go on to
@@ -177,7 +191,8 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
 											const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
-	NewtonProblem problem = problemOf(level);
+	const std::unique_ptr<NewtonProblem> own = problemOf(level);
+	NewtonProblem& problem = *own;
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
 	const bool hemmedIn =
@@ -197,12 +212,10 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 }
 
 /// \param displacement  of the places, from the coarser level
-NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displacement,
-									 const NewtonOutcome& coarse, const Progress& progress) const {
+NewtonOutcome NewtonStrategy::refine(const Level& level, NewtonProblem& problem,
+									 const Positions& displacement, const NewtonOutcome& coarse,
+									 const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
-	NewtonProblem problem = problemOf(level);
-	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
-	problem.jacobian().freeBorders(true);
 	const Positions moved = level.reference().originalPositions + displacement - assembly.originalPositions;
 	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
 	const bool solved = coarse.ending == Ending::Reached;
@@ -217,6 +230,7 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, const Positions& displa
 						  coarse.bordersLimited};
 	if (ending != Ending::Stuck || !solved)
 		return outcome;
+	problem.forgetNormalSystem();
 	const NewtonOutcome restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
 	return {restored.ending,           outcome.iterations + restored.iterations,

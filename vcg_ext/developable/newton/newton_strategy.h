@@ -43,7 +43,9 @@ private:
 
 	Unfairness unfairnessOf(const PatchAssembly& assembly) const;
 	Level levelOf(const PatchAssembly& assembly, double coarseness) const;
-	NewtonProblem problemOf(const Level& level) const;
+	std::unique_ptr<NewtonProblem> problemOf(const Level& level) const;
+	/// One whose solution begins at that of a coarser level.
+	std::unique_ptr<NewtonProblem> fineProblemOf(const Level& level) const;
 	/// What is developable but for rounding needs no more than that. Stuck where it is not.
 	NewtonOutcome solveShortest(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome solveLevel(const Level& level, const Positions& start, const Progress& progress) const;
@@ -52,8 +54,8 @@ private:
 	bool descends(const Level& level) const;
 	NewtonStrategy coarser(bool fairerElsewhere) const;
 	NewtonOutcome solveCoarsest(const Level& level, const Positions& start, const Progress& progress) const;
-	NewtonOutcome refine(const Level& level, const Positions& displacement, const NewtonOutcome& coarse,
-						 const Progress& progress) const;
+	NewtonOutcome refine(const Level& level, NewtonProblem& problem, const Positions& displacement,
+						 const NewtonOutcome& coarse, const Progress& progress) const;
 
 	double smoothness_, shapeSmoothness_; // α, φ
 	CurvatureGoal goal_;

@@ -5,7 +5,7 @@
 namespace developable::detail {
 
 NormalSteps::NormalSteps(NewtonProblem& problem, NewtonRun& run, double farthest)
-	: problem_(problem), run_(run), farthest_(farthest), solver_(problem.memoryLimit()) {}
+	: problem_(problem), run_(run), farthest_(farthest) {}
 
 Ending NormalSteps::run() {
 	const NewtonTuning& tuning = problem_.tuning();
@@ -45,8 +45,8 @@ bool NormalSteps::factorize() {
 	along_ = problem_.jacobian().along(normals_);
 	if (epsilon_ == 0) // normals are one long, so W and NᵀWN have the same trace
 		epsilon_ = tuning.firstDamping * along_.squaredNorm() / problem_.metric().matrix().diagonal().sum();
-	for (int i = 0; solver_.factorize(system_.fill(along_, normals_, problem_.metric().matrix(), epsilon_));
-		 ++i) {
+	NormalSystem& system = problem_.normalSystem();
+	for (int i = 0; system.factorize(along_, normals_, problem_.metric().matrix(), epsilon_); ++i) {
 		firstStep_ = wholeStep();
 		if (i == tuning.stiffenings || problem_.metric().tooStiff() ||
 			!problem_.stiffenFor(positions + firstStep_))
@@ -57,7 +57,7 @@ bool NormalSteps::factorize() {
 
 Positions NormalSteps::wholeStep() const {
 	const Eigen::VectorXd downward = -(along_.transpose() * run_.shape().scaledDefects);
-	return normals_ * solver_.solve(downward).asDiagonal();
+	return normals_ * problem_.normalSystem().solve(downward).asDiagonal();
 }
 
 double NormalSteps::stepsWithOneFactorization() {

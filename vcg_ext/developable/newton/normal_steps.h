@@ -2,9 +2,7 @@
 // normal_steps.h: to g = 0 by small steps along the normals, from a shape that is nearly there.
 #pragma once
 
-#include "developable/linear/linear.h"
 #include "newton_run.h"
-#include "normal_system.h"
 
 namespace developable::detail {
 
@@ -39,9 +37,7 @@ private:
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	const double farthest_;
-	NormalSystem system_;
 	SparseMatrix along_; // J N
-	SparseSolver solver_;
 	Positions normals_, firstStep_;
 	double epsilon_ = 0;
 };

@@ -4,10 +4,22 @@
 
 namespace developable::detail {
 
-const SparseMatrix& NormalSystem::fill(const SparseMatrix& along, const Eigen::Matrix3Xd& directions,
-									   const SparseMatrix& metric, double epsilon) {
+void NormalSystem::prepare(const SparseMatrix& along, const SparseMatrix& metric) {
+	findPattern(along, metric);
+	solver_ = SparseSolver(memoryLimit_);
+	solver_.prepare(lower_);
+}
+
+bool NormalSystem::factorize(const SparseMatrix& along, const Eigen::Matrix3Xd& directions,
+							 const SparseMatrix& metric, double epsilon) {
 	if (lower_.rows() == 0 || metric.nonZeros() != metricEntries_)
-		findPattern(along, metric);
+		prepare(along, metric);
+	fill(along, directions, metric, epsilon);
+	return solver_.factorize(lower_);
+}
+
+void NormalSystem::fill(const SparseMatrix& along, const Eigen::Matrix3Xd& directions,
+						const SparseMatrix& metric, double epsilon) {
 	const RowMajor byRow = along;
 	for (int column = 0; column < lower_.outerSize(); ++column) {
 		for (SparseMatrix::InnerIterator entry(lower_, column); entry; ++entry) {
@@ -20,7 +32,6 @@ const SparseMatrix& NormalSystem::fill(const SparseMatrix& along, const Eigen::M
 					*entryOfRow_[other.col()] += own.value() * other.value();
 		addMetric(directions, metric, column, epsilon);
 	}
-	return lower_;
 }
 
 void NormalSystem::addMetric(const Eigen::Matrix3Xd& directions, const SparseMatrix& metric, int column,

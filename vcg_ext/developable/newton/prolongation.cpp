@@ -4,24 +4,26 @@
 
 namespace developable::detail {
 
-Positions prolonged(const PatchAssembly& fine, const PartialAssembly& coarse,
-					const Positions& coarseDisplacement, const NewtonTuning& tuning, double memoryLimit) {
-	const int coarseCount = coarse.assembly.placeCount();
-	const Eigen::VectorXd coarseMasses = placeMasses(coarse.assembly);
+Prolongation::Prolongation(const PatchAssembly& fine, const PartialAssembly& coarse,
+						   const NewtonTuning& tuning, double memoryLimit)
+	: placeOfCoarse_(coarse.wholePlace), coarseMasses_(placeMasses(coarse.assembly)),
+	  places_(fine.placeCount()), solver_(memoryLimit) {
+	const double coarseCount = coarse.assembly.placeCount();
 	// A trifle of mass everywhere holds what the coarse places leave free.
 	Eigen::VectorXd masses = tuning.prolongationMass * placeMasses(fine);
-	Eigen::MatrixX3d pull = Eigen::MatrixX3d::Zero(fine.placeCount(), 3);
-	for (int place = 0; place < coarseCount; ++place) {
-		masses[coarse.wholePlace[place]] += coarseMasses[place];
-		pull.row(coarse.wholePlace[place]) = coarseMasses[place] * coarseDisplacement.col(place).transpose();
-	}
+	masses(placeOfCoarse_) += coarseMasses_;
 	const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(
-		fine.patchCount(), tuning.prolongationBending / (double(coarseCount) * coarseCount));
-	const SparseMatrix matrix = BendingMatrix(fine, masses, {smoothness}, 0).lower();
-	SparseSolver solver(memoryLimit);
-	if (!solver.factorize(matrix))
-		return Positions::Zero(3, fine.placeCount());
-	return solver.solve(Eigen::MatrixXd(pull)).transpose();
+		fine.patchCount(), tuning.prolongationBending / (coarseCount * coarseCount));
+	solvable_ = solver_.factorize(BendingMatrix(fine, masses, {smoothness}, 0).lower());
+}
+
+Positions Prolongation::of(const Positions& coarseDisplacement) const {
+	if (!solvable_)
+		return Positions::Zero(3, places_);
+	Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(places_, 3);
+	for (std::size_t place = 0; place < placeOfCoarse_.size(); ++place)
+		pull.row(placeOfCoarse_[place]) = coarseMasses_[place] * coarseDisplacement.col(place).transpose();
+	return solver_.solve(pull).transpose();
 }
 
 } // namespace developable::detail

@@ -9,10 +9,23 @@ namespace developable::detail {
 /// The displacement of all fine places that is nearest to a coarse one without bending on the scale of the
 /// coarse edges: with m_c the masses of the coarse places and n_c their number, it has the least
 ///     Σ_c m_c |d_c − d̂_c|² + β ∫|d''|²,   β = NewtonTuning::prolongationBending (A/n_c)²,
-/// so waves shorter than some five coarse edges are left out: they belong to the coarse triangulation.
-/// \param memoryLimit  see SparseSolver
-/// \return             3 x fine places
-Positions prolonged(const PatchAssembly& fine, const PartialAssembly& coarse,
-					const Positions& coarseDisplacement, const NewtonTuning& tuning, double memoryLimit = 0);
+/// so waves shorter than some five coarse edges are left out: they belong to the coarse triangulation. The
+/// system does not depend on the coarse displacement, and can be factorised before that is known.
+class Prolongation {
+public:
+	/// \param memoryLimit  see SparseSolver
+	Prolongation(const PatchAssembly& fine, const PartialAssembly& coarse, const NewtonTuning& tuning,
+				 double memoryLimit = 0);
+
+	/// \return 3 x fine places
+	Positions of(const Positions& coarseDisplacement) const;
+
+private:
+	const std::vector<int> placeOfCoarse_;
+	const Eigen::VectorXd coarseMasses_;
+	const Eigen::Index places_; ///< of the fine assembly
+	SparseSolver solver_;
+	bool solvable_ = false;
+};
 
 } // namespace developable::detail
