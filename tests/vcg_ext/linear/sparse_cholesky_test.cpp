@@ -5,6 +5,8 @@
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
+#include <thread>
+#include <vector>
 
 namespace developable::test {
 namespace {
@@ -58,6 +60,24 @@ TEST(SparseCholesky, FactorisesManyMatricesOfOnePattern) {
 	}
 	SparseCholesky moved = std::move(cholesky);
 	EXPECT_LT(residualShare(plate(15, 1, 100), moved.solve(rightHandSide), rightHandSide), 1e-12);
+}
+
+TEST(SparseCholesky, FindsTheSameOrderOnManyThreadsAtOnce) {
+	const SparseMatrix lower = plate(61);
+	const Eigen::VectorXd rightHandSide = loads(lower).col(1);
+	const auto solution = [&] {
+		SparseCholesky cholesky;
+		return cholesky.factorize(lower) ? cholesky.solve(rightHandSide) : Eigen::VectorXd();
+	};
+	const Eigen::VectorXd alone = solution();
+	std::vector<Eigen::VectorXd> solutions(8);
+	std::vector<std::thread> threads;
+	for (Eigen::VectorXd& one : solutions)
+		threads.emplace_back([&] { one = solution(); });
+	for (std::thread& thread : threads)
+		thread.join();
+	for (const Eigen::VectorXd& one : solutions)
+		EXPECT_EQ(one, alone);
 }
 
 TEST(SparseCholesky, EstimatesTheMemoryOfTheFactor) {

@@ -34,7 +34,7 @@ private:
 
 	const PatchAssembly& fine_;
 	const PartialAssembly& coarse_;
-	const NewtonTuning& tuning_;
+	const NewtonTuning tuning_;
 	const double memoryLimit_;
 	const MakeProblem makeProblem_;
 	std::optional<Prolongation> prolongation_;
