@@ -65,11 +65,10 @@ public:
 	}
 
 private:
-	static constexpr int mostSteps = 400, patience = 5, mostStepsAtOnce = 30;
-	static constexpr double slow = 0.5; // decrease that a step must promise, or the bounds harden
-	static constexpr double settled =
-		1e-3;                             // what a step has brought; within the bounds less is not worth one
-	static constexpr double least = 1e-9; // nor anywhere
+	static constexpr int mostSteps = 400, patience = 5, mostStepsAtOnce = 16;
+	static constexpr double slow = 0.5;     // decrease that a step must promise, or the bounds harden
+	static constexpr double settled = 1e-3; // within the bounds, a step that brought less is the last
+	static constexpr double least = 1e-9;   // beyond them, one that promised less
 	static constexpr double shareOfTolerance = 0.3;
 
 	double violation() const { return penalty_.greatestViolation(panel_.positions, positions_); }
