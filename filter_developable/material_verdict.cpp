@@ -17,14 +17,14 @@ namespace {
 constexpr double perCent = 100;
 constexpr std::size_t mostPanels = 5; ///< that a verdict names
 
-/// "2 %", "2 % stretch and 1 % compression", or with its directions "1.9 % (warp), 1.9 % (weft), 4.7 %
+/// "2 % stretch and 1 % compression", or where a sign's bounds differ "1.9 % (warp), 1.9 % (weft), 4.7 %
 /// (bias) stretch and ...".
 std::string boundsInWords(const StrainBounds& bounds) {
 	const auto one = [&](double DirectionBounds::*bound) {
 		const auto number = [&](const DirectionBounds& direction) {
 			return formatted(perCent * direction.*bound, 3) + " %";
 		};
-		if (!bounds.directed)
+		if (bounds.sameInEveryDirection(bound))
 			return number(bounds.warp);
 		return number(bounds.warp) + " (warp), " + number(bounds.weft) + " (weft), " + number(bounds.bias) +
 			   " (bias)";
@@ -80,6 +80,22 @@ std::string materialInWords(const ParameterValues& values) {
 								  : material.name;
 }
 
+/// "5.1 % between its directions at (1, 2, 3)": bounds that differ with the direction say nothing of others
+/// than these.
+std::string largestInWords(const StrainBounds& bounds, const std::vector<PanelStrain>& strains) {
+	const auto greatest = [](const PanelStrain& panel) { return std::max(panel.stretch, panel.compression); };
+	const PanelStrain& largest =
+		*std::max_element(strains.begin(), strains.end(), [&](const PanelStrain& a, const PanelStrain& b) {
+			return greatest(a) < greatest(b);
+		});
+	const auto bound =
+		largest.stretch < largest.compression ? &DirectionBounds::compression : &DirectionBounds::stretch;
+	const double allowed = std::max({bounds.warp.*bound, bounds.weft.*bound, bounds.bias.*bound});
+	const bool between = largest.beyondBounds == 0 && greatest(largest) > allowed + patternTolerance;
+	return formatted(perCent * greatest(largest), 3) +
+		   (between ? " % between its directions at " : " % at ") + pointInWords(largest.at);
+}
+
 std::string verdict(const std::string& material, const StrainBounds& bounds,
 					const std::vector<PanelStrain>& strains) {
 	std::vector<std::size_t> beyond;
@@ -95,13 +111,7 @@ std::string verdict(const std::string& material, const StrainBounds& bounds,
 	else
 		words += counted(beyond.size(), "panel is", "panels are") + " beyond " + boundsInWords(bounds) +
 				 ": " + panelsBeyond(beyond, strains);
-	const auto greatest = [](const PanelStrain& panel) { return std::max(panel.stretch, panel.compression); };
-	const PanelStrain& largest =
-		*std::max_element(strains.begin(), strains.end(), [&](const PanelStrain& a, const PanelStrain& b) {
-			return greatest(a) < greatest(b);
-		});
-	return words + "; largest " + formatted(perCent * greatest(largest), 3) + " % at " +
-		   pointInWords(largest.at);
+	return words + "; largest " + largestInWords(bounds, strains);
 }
 
 } // namespace

@@ -12,6 +12,7 @@ from meshlab_developable.reports import OptimizationReport, PanelReport, PanelSt
 
 _Report = TypeVar("_Report", bound=OptimizationReport)
 _MOST_PANELS = 5  # that a verdict names
+_TOLERANCE = 0.01  # per cent, by which a strain beyond its bound counts as within it
 
 
 def judged(report: _Report, parameters: Mapping[str, Any]) -> _Report:
@@ -43,20 +44,18 @@ def material_verdict(parameters: Mapping[str, Any], panels: Sequence[PanelReport
         said = f"{count} beyond {allowed}: {named}{others}"
     else:
         said = f"every panel is within its {allowed}"
-    largest = max(strains.values(), key=_greatest)
-    return f"{_material(parameters)}: {said}; largest {_greatest(largest):.3g} % at {_point(largest)}"
+    return f"{_material(parameters)}: {said}; largest {_largest(bounds, list(strains.values()))}"
 
 
 def _bounds(parameters: Mapping[str, Any]) -> dict[str, list[float]]:
     """Per cent, of each sign: one number, or those of warp, weft and bias."""
     entry = chosen_entry(parameters.get("material"))
     asked = {key: float(parameters.get(f"allowed_{key}", -1.0)) for key in BOUNDS}
-    directed = any(isinstance(entry.get(key), Mapping) for key in BOUNDS) and min(asked.values()) < 0
     bounds = {}
     for key, value in asked.items():
         own = entry.get(key, 0.0) if value < 0 else value
         of_directions = [own[name] for name in DIRECTIONS] if isinstance(own, Mapping) else [own] * 3
-        bounds[key] = of_directions if directed else of_directions[:1]
+        bounds[key] = of_directions if len(set(of_directions)) > 1 else of_directions[:1]
     return bounds
 
 
@@ -77,6 +76,15 @@ def _material(parameters: Mapping[str, Any]) -> str:
         return f"{name}, {asked:.3g} thick"
     thickness = entry.get("thickness", 0)
     return f"{name}, {thickness:.3g} mm" if thickness > 0 else name
+
+
+def _largest(bounds: Mapping[str, Sequence[float]], strains: Sequence[PanelStrain]) -> str:
+    """Bounds that differ with the direction say nothing of others than these."""
+    largest = max(strains, key=_greatest)
+    sign = "compression" if largest.max_stretch < largest.max_compression else "stretch"
+    between = largest.beyond_bounds == 0 and _greatest(largest) > max(bounds[sign]) + _TOLERANCE
+    where = "between its directions at" if between else "at"
+    return f"{_greatest(largest):.3g} % {where} {_point(largest)}"
 
 
 def _greatest(strain: PanelStrain) -> float:

@@ -172,8 +172,8 @@ def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
     """By how much an edge of a pattern within its bounds may differ from the model's, per cent of that.
 
     An edge that is as long on the model as in the pattern times λ differs by |1 / λ − 1| of the model's. λ is
-    between the singular values of its triangle's map, which may be beyond the bounds of all three directions:
-    where warp and weft are stretched and compressed, what the bias bears comes on top of that.
+    between the singular values of its triangle's map. Where a sign's bounds differ they may be beyond all
+    three: where warp and weft are stretched and compressed, what the bias bears comes on top of that.
     """
     entry = chosen_entry(parameters.get("material"))
     limits = []
@@ -191,14 +191,44 @@ def greatest_edge_strain(parameters: Mapping[str, Any]) -> float:
 
 def _extreme_squares(lows: Sequence[float], highs: Sequence[float]) -> tuple[float, float]:
     """The least and the greatest square of a singular value of F, from the limits of |F v|² along warp, weft
-    and both biases.
+    and both biases. Limits that are alike for these hold in every direction."""
+    if len(set(lows)) == len(set(highs)) == 1:
+        return lows[0], highs[0]
+    if len(set(lows)) == 1:
+        return lows[0], lows[0] + _farthest([high - lows[0] for high in highs])
+    if len(set(highs)) == 1:
+        return highs[0] - _farthest([highs[0] - low for low in lows]), highs[0]
+    return _extreme_squares_of_directions(lows, highs)
+
+
+def _farthest(distances: Sequence[float]) -> float:
+    """By how much the square of one singular value may differ from the other's, which is at its limit, where
+    squares along warp, weft and bias may differ by so much from that.
+
+    Where its direction is at the angle φ to the warp, the share of the difference is cos² φ along the warp,
+    sin² φ along the weft and (1 + sin 2φ) / 2 along a bias. It is greatest at an end or where two limits
+    meet.
+    """
+    warp, weft, bias = (math.sqrt(distance) for distance in (distances[0], distances[1], 2 * distances[2]))
+    meeting = [(1.0, 0.0), (0.0, 1.0), (warp, weft), (warp, bias - warp), (bias - weft, weft)]
+    greatest = 0.0
+    for cosine, sine in meeting:
+        length = math.hypot(cosine, sine)
+        if length == 0 or min(cosine, sine) < 0:
+            continue
+        shares = (cosine**2, sine**2, (cosine + sine) ** 2 / 2)
+        allowed = [d * length**2 / share for d, share in zip(distances, shares, strict=True) if share > 0]
+        greatest = max(greatest, min(allowed))
+    return greatest
+
+
+def _extreme_squares_of_directions(lows: Sequence[float], highs: Sequence[float]) -> tuple[float, float]:
+    """The same where limits hold along warp, weft and both biases alone.
 
     With a = |F warp|², b = |F weft|² and c = warp · FᵀF weft it is (a + b) / 2 ± √((a − b)² / 4 + c²), and
     the biases' are (a + b) / 2 ± c. So the extremes are at corners of what a, b and c may be.
     """
     least, greatest = min(lows), max(highs)
-    if len(set(lows)) == len(set(highs)) == 1:
-        return least, greatest
     (low_a, low_b, low), (high_a, high_b, high) = lows, highs
     corners = [(a, b) for a in (low_a, high_a) for b in (low_b, high_b)]
     corners += [(a, low + high - a) for a in (low_a, high_a)]  # where c may be largest

@@ -164,6 +164,9 @@ def test_the_strain_of_patterns_of_directed_materials_is_the_most_that_maps_with
     )
     middle, radius = (a + b) / 2, np.hypot((a - b) / 2, shear)
     within = (middle + np.abs(shear) <= high[2] + 1e-12) & (middle - np.abs(shear) >= low[2] - 1e-12)
+    for limits, beyond in ((low, low[0] - (middle - radius)), (high, middle + radius - high[0])):
+        if np.ptp(limits) == 0:  # bounds every direction
+            within &= beyond <= 1e-12
     expected = max(
         ((middle - radius)[within] ** -0.5).max() - 1, 1 - ((middle + radius)[within] ** -0.5).min()
     )

@@ -3,6 +3,7 @@
 
 #include "flat_shapes.h"
 
+#include <array>
 #include <gtest/gtest.h>
 
 namespace developable::test {
@@ -17,6 +18,20 @@ TEST(PatternLayout, AQuarterCylinderBecomesARectangle) {
 	// Its longest side stands upright.
 	EXPECT_NEAR(size[1], arc, 1e-12);
 	EXPECT_NEAR(size[0], 1, 1e-12);
+}
+
+TEST(PatternLayout, OfSidesThatAreNearlyAlikeTheSameIsTheLongestWhicheverItIs) {
+	const auto longestSide = [](double width, double height) {
+		const FlatPatterns patterns = flattened(
+			grid(8, 8, [&](double u, double v) { return Eigen::Vector3d(width * u, height * v, 0); }));
+		std::array<int, 2> places = patterns.pieces.front().longestSide;
+		for (int& end : places)
+			end = patterns.placeOfVertex[end];
+		return places;
+	};
+	EXPECT_EQ(longestSide(1, 1.05),
+			  longestSide(1.05, 1)); // so the grain does not jump when a square is moved
+	EXPECT_NE(longestSide(1, 1.3), longestSide(1.3, 1));
 }
 
 TEST(PatternLayout, PiecesLieApartByTheGap) {

@@ -71,11 +71,29 @@ TEST(StrainPenalty, GrainTurnsTheBounds) {
 	EXPECT_NEAR(beyond(0.4 + pi), 0, 1e-12);
 }
 
+TEST(StrainPenalty, WhatIsAlikeForWarpWeftAndBiasIsBoundedBetweenThemToo) {
+	const StretchedTriangle triangle(1.2, 0.97, pi / 8); // compressed half way between weft and bias
+	StrainBounds bounds = StrainBounds::isotropic(0.25, 0);
+	bounds.directed = true;
+	const auto beyond = [&] {
+		return StrainPenalty(triangle.triangles(0), bounds, 0).violations(triangle.shaped, triangle.flat)[0];
+	};
+	EXPECT_NEAR(beyond(), 0.03, 1e-12);
+	bounds.warp.stretch = 0.3; // of one sign the bounds differ; the other's do not
+	EXPECT_NEAR(beyond(), 0.03, 1e-12);
+	bounds.warp.compression = 0.5; // along the others there is none
+	EXPECT_NEAR(beyond(), 0, 1e-12);
+}
+
 TEST(StrainPenalty, GradientIsThatOfTheValue) {
-	for (const bool directed : {false, true}) {
+	for (const int differing : {0, 1, 2}) { // signs whose bounds differ with the direction
 		StretchedTriangle triangle(1.07, 0.94, 0.4);
 		StrainBounds bounds = StrainBounds::isotropic(0.02, 0.03);
-		bounds.directed = directed;
+		bounds.directed = differing > 0;
+		if (differing > 0)
+			bounds.bias.stretch = 0.01;
+		if (differing > 1)
+			bounds.weft.compression = 0.01;
 		StrainPenalty penalty(triangle.triangles(0.3), bounds, 1e-3);
 		penalty.harden(10, 0.01);
 		const auto gradient = penalty.element(0, triangle.shaped, triangle.flat).gradient;
@@ -88,7 +106,7 @@ TEST(StrainPenalty, GradientIsThatOfTheValue) {
 				(i < 9 ? shaped.data()[i] : flat.data()[i - 9]) += side ? step : -step;
 				values[side] = penalty.value(shaped, flat);
 			}
-			EXPECT_NEAR(gradient[i], (values[1] - values[0]) / (2 * step), 1e-7) << i << directed;
+			EXPECT_NEAR(gradient[i], (values[1] - values[0]) / (2 * step), 1e-7) << i << ' ' << differing;
 		}
 	}
 }

@@ -44,7 +44,7 @@ public:
 		std::vector<double> violations;
 		for (int i = 0; i < mostSteps; ++i) {
 			const double decrease = step();
-			if (decrease < settled && violation() <= shareOfTolerance * patternTolerance)
+			if (lengthOfStep_ * decrease < settled && violation() <= shareOfTolerance * patternTolerance)
 				break;
 			if (decrease == 0) {
 				if (++idle == patience)
@@ -65,10 +65,10 @@ public:
 	}
 
 private:
-	static constexpr int mostSteps = 400, patience = 5, mostStepsAtOnce = 8;
+	static constexpr int mostSteps = 400, patience = 5, mostStepsAtOnce = 16;
 	static constexpr double slow = 0.5;     // decrease that a step must promise, or the bounds harden
-	static constexpr double settled = 1e-3; // within the bounds, less than that is not worth a step
-	static constexpr double least = 1e-9;   // nor anywhere
+	static constexpr double settled = 1e-3; // within the bounds, a step that brought less is the last
+	static constexpr double least = 1e-9;   // beyond them, one that promised less
 	static constexpr double shareOfTolerance = 0.3;
 
 	double violation() const { return penalty_.greatestViolation(panel_.positions, positions_); }
@@ -100,6 +100,7 @@ private:
 			if (!descendsEnough(before, slope, length, energy(next)))
 				continue;
 			positions_ = next;
+			lengthOfStep_ = length;
 			return -slope / std::abs(before);
 		}
 		return 0;
@@ -137,6 +138,7 @@ private:
 	PlaneHessian hessian_;
 	SparseCholesky factorization_; // CG on an old factor would not do while bounds harden
 	PlanePositions positions_;
+	double lengthOfStep_ = 1; // of the last one, as a share of that of the quadratic model
 };
 
 } // namespace

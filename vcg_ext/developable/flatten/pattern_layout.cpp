@@ -32,7 +32,7 @@ public:
 
 	void offer(int piece, const BoundarySide& side) {
 		// A side that comes back to where it began has no direction. Of sides that are alike the first
-		// counts, so that strain does not make another one the longest.
+		// counts, so that neither strain nor moving the surface makes another one the longest.
 		if (side.start != side.end && side.length > (1 + alike) * sides_[piece].length)
 			sides_[piece] = side;
 	}
@@ -40,7 +40,7 @@ public:
 	const std::vector<BoundarySide>& sides() const { return sides_; }
 
 private:
-	static constexpr double alike = 0.02; ///< share of the length
+	static constexpr double alike = 0.1; ///< share of the length
 
 	std::vector<BoundarySide> sides_;
 };

@@ -12,13 +12,31 @@ struct RoundedPenalty {
 	double stiffness = 1; ///< κ
 	double width = 1e-3;  ///< δ, in the unit of c
 
-	double value(double c) const {
-		const double rounded = root(c), size = std::abs(c);
-		const double areaOfEdge = std::copysign(std::log((size + rounded) / width), c); // arsinh c / δ
-		return stiffness / 4 * (c * (c + rounded) + width * width * areaOfEdge);
-	}
+	double value(double c) const { return Sum(*this).add(c).value(); }
 	double first(double c) const { return stiffness / 2 * (c + root(c)); }
 	double second(double c) const { return stiffness / 2 * (1 + c / root(c)); }
+
+	/// Of several excesses, up to a dozen, with one logarithm for all.
+	class Sum {
+	public:
+		explicit Sum(const RoundedPenalty& penalty) : penalty_(penalty) {}
+
+		Sum& add(double c) {
+			const double rounded = penalty_.root(c);
+			squares_ += c * (c + rounded);
+			const double factor =
+				(std::abs(c) + rounded) / penalty_.width; // e to the power of |arsinh c / δ|
+			product_ = c < 0 ? product_ / factor : product_ * factor;
+			return *this;
+		}
+		double value() const {
+			return penalty_.stiffness / 4 * (squares_ + penalty_.width * penalty_.width * std::log(product_));
+		}
+
+	private:
+		const RoundedPenalty& penalty_;
+		double squares_ = 0, product_ = 1;
+	};
 
 private:
 	double root(double c) const { return std::sqrt(c * c + width * width); }

@@ -14,7 +14,8 @@ struct DirectionBounds {
 };
 
 /// Bounds on the map from the flat pattern to the shape. Stretch means that the shape is longer than the
-/// pattern.
+/// pattern. A sign whose bounds are the same for warp, weft and bias is bounded in every direction, else in
+/// these alone.
 struct StrainBounds {
 	DirectionBounds warp; ///< along the grain; in every direction where the material is not directed
 	DirectionBounds weft; ///< across the grain
@@ -26,6 +27,11 @@ struct StrainBounds {
 		StrainBounds bounds;
 		bounds.warp = bounds.weft = bounds.bias = {stretch, compression};
 		return bounds;
+	}
+
+	/// Whether a sign is bounded alike in every direction. \param sign  of DirectionBounds
+	bool sameInEveryDirection(double DirectionBounds::*sign) const {
+		return !directed || (warp.*sign == weft.*sign && warp.*sign == bias.*sign);
 	}
 
 	/// Whether any strain is allowed at all.

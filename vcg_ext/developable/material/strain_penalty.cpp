@@ -56,7 +56,34 @@ double gainOfTurning(const TriangleStrain& strain, double firstSlope, double sec
 } // namespace
 
 StrainPenalty::StrainPenalty(StrainedTriangles triangles, const StrainBounds& bounds, double elasticity)
-	: triangles_(std::move(triangles)), bounds_(bounds), elasticity_(elasticity) {}
+	: triangles_(std::move(triangles)), directed_(differs(bounds).stretch || differs(bounds).compression),
+	  ofPrincipal_(limitsOf(bounds.warp, {!differs(bounds).stretch, !differs(bounds).compression},
+							directed_ ? 0 : elasticity)),
+	  // along two directions and both between them: twice as many as the principal ones
+	  ofWarp_(limitsOf(bounds.warp, differs(bounds), elasticity / 2)),
+	  ofWeft_(limitsOf(bounds.weft, differs(bounds), elasticity / 2)),
+	  ofBias_(limitsOf(bounds.bias, differs(bounds), elasticity / 2)) {
+	setGrain(std::move(triangles_.grain));
+}
+
+StrainPenalty::Signs StrainPenalty::differs(const StrainBounds& bounds) {
+	return {!bounds.sameInEveryDirection(&DirectionBounds::stretch),
+			!bounds.sameInEveryDirection(&DirectionBounds::compression)};
+}
+
+StrainPenalty::Limits StrainPenalty::limitsOf(const DirectionBounds& bounds, const Signs& bounded,
+											  double elasticity) {
+	constexpr double none = std::numeric_limits<double>::infinity();
+	return {bounded.compression ? std::log(1 - bounds.compression) : -none,
+			bounded.stretch ? std::log(1 + bounds.stretch) : none, elasticity};
+}
+
+void StrainPenalty::setGrain(std::vector<double> grain) {
+	triangles_.grain = std::move(grain);
+	warp_.clear();
+	for (const double angle : triangles_.grain)
+		warp_.emplace_back(std::cos(angle), std::sin(angle));
+}
 
 TriangleStrain StrainPenalty::strain(int triangle, const Positions& shaped,
 									 const Eigen::Matrix2Xd& flat) const {
@@ -66,40 +93,47 @@ TriangleStrain StrainPenalty::strain(int triangle, const Positions& shaped,
 
 StrainPenalty::Directions StrainPenalty::directions(int triangle, const TriangleStrain& strain) const {
 	Directions result;
-	const auto add = [&](const Eigen::Vector2d& vector, const DirectionBounds& bounds, double elasticity) {
-		result.items[result.count++] = {vector, std::log(1 - bounds.compression),
-										std::log(1 + bounds.stretch), true, elasticity};
-	};
-	const Eigen::Vector2d first = strain.greatestDirection, second(-first[1], first[0]);
-	if (!bounds_.directed) {
-		add(first, bounds_.warp, elasticity_);
-		add(second, bounds_.warp, elasticity_);
-		return result;
+	if (ofPrincipal_.any()) {
+		const Eigen::Vector2d& first = strain.greatestDirection;
+		result.add(first, ofPrincipal_);
+		result.add({-first[1], first[0]}, ofPrincipal_);
 	}
-	const double angle = triangles_.grain[triangle];
-	const Eigen::Vector2d warp(std::cos(angle), std::sin(angle)), weft(-warp[1], warp[0]);
-	add(warp, bounds_.warp, 0);
-	add(weft, bounds_.weft, 0);
-	add((warp + weft) / std::sqrt(2.0), bounds_.bias, 0);
-	add((warp - weft) / std::sqrt(2.0), bounds_.bias, 0);
-	result.items[result.count++] = {first, 0, 0, false, elasticity_};
-	result.items[result.count++] = {second, 0, 0, false, elasticity_};
+	if (directed_) {
+		const Eigen::Vector2d& warp = warp_[triangle];
+		const Eigen::Vector2d weft(-warp[1], warp[0]);
+		result.add(warp, ofWarp_);
+		result.add(weft, ofWeft_);
+		result.add((warp + weft) / std::sqrt(2.0), ofBias_);
+		result.add((warp - weft) / std::sqrt(2.0), ofBias_);
+	}
 	return result;
 }
 
-double StrainPenalty::cost(const Direction& direction, double strain) const {
-	const double elastic = direction.elasticity * strain * strain / 2;
-	return direction.bounded
-			   ? elastic + edge_.value(strain - direction.greatest) + edge_.value(direction.least - strain)
-			   : elastic;
+double StrainPenalty::cost(const TriangleStrain& strain, const Directions& directions) const {
+	double elastic = 0;
+	RoundedPenalty::Sum beyond(edge_);
+	for (const auto& [vector, limits] : directions) {
+		const double e = std::log((strain.map * vector).squaredNorm()) / 2;
+		elastic += limits->elasticity * e * e / 2;
+		if (std::isfinite(limits->greatest))
+			beyond.add(e - limits->greatest);
+		if (std::isfinite(limits->least))
+			beyond.add(limits->least - e);
+	}
+	return elastic + beyond.value();
 }
 
-StrainPenalty::Slope StrainPenalty::slope(const Direction& direction, double strain) const {
-	Slope slope = {direction.elasticity * strain, direction.elasticity};
-	if (direction.bounded) {
-		const double above = strain - direction.greatest, below = direction.least - strain;
-		slope.first += edge_.first(above) - edge_.first(below);
-		slope.second += edge_.second(above) + edge_.second(below);
+StrainPenalty::Slope StrainPenalty::slope(const Limits& limits, double strain) const {
+	Slope slope = {limits.elasticity * strain, limits.elasticity};
+	if (std::isfinite(limits.greatest)) {
+		const double above = strain - limits.greatest;
+		slope.first += edge_.first(above);
+		slope.second += edge_.second(above);
+	}
+	if (std::isfinite(limits.least)) {
+		const double below = limits.least - strain;
+		slope.first -= edge_.first(below);
+		slope.second += edge_.second(below);
 	}
 	return slope;
 }
@@ -110,9 +144,7 @@ double StrainPenalty::value(const Positions& shaped, const Eigen::Matrix2Xd& fla
 		const TriangleStrain triangle = strain(t, shaped, flat);
 		if (!(triangle.flatArea > 0) || !(triangle.least > 0))
 			return std::numeric_limits<double>::infinity();
-		for (const Direction& direction : directions(t, triangle))
-			sum +=
-				triangles_.weights[t] * cost(direction, std::log((triangle.map * direction.vector).norm()));
+		sum += triangles_.weights[t] * cost(triangle, directions(t, triangle));
 	}
 	return sum;
 }
@@ -139,20 +171,19 @@ StrainPenalty::Derivatives<size> StrainPenalty::derivatives(int t, const Positio
 		const Row scaled = second * row;
 		element.hessian.noalias() += scaled * row.transpose(); // for so few rows faster than a half of it
 	};
-	const Directions all = directions(t, triangle);
-	if (!bounds_.directed) {
-		const Slope first = slope(all.items[0], std::log(triangle.greatest)),
-					second = slope(all.items[1], std::log(triangle.least));
+	if (ofPrincipal_.any()) {
+		const Slope first = slope(ofPrincipal_, std::log(triangle.greatest)),
+					second = slope(ofPrincipal_, std::log(triangle.least));
 		const double gain = gainOfTurning(triangle, first.first, second.first, first.second);
 		const Eigen::Vector2d v = triangle.greatestDirection, across(-v[1], v[0]);
 		const Eigen::Matrix2d shear = v * across.transpose() + across * v.transpose();
 		add(derivativesOfMap<size>(triangle, triangle.map * shear), triangles_.weights[t] * gain);
 	}
-	for (const Direction& direction : all) {
+	for (const Direction& direction : directions(t, triangle)) {
 		const Eigen::Vector3d image = triangle.map * direction.vector;
 		const double length = image.norm();
 		const Eigen::Vector3d unit = image / length;
-		const Slope cost = slope(direction, std::log(length));
+		const Slope cost = slope(*direction.limits, std::log(length));
 		const double weight = triangles_.weights[t];
 		const Row row = derivativesOfMap<size>(triangle, unit * direction.vector.transpose() / length);
 		element.gradient += weight * cost.first * row;
@@ -176,9 +207,8 @@ Eigen::VectorXd StrainPenalty::violations(const Positions& shaped, const Eigen::
 		const TriangleStrain triangle = strain(t, shaped, flat);
 		for (const Direction& direction : directions(t, triangle)) {
 			const double length = (triangle.map * direction.vector).norm();
-			if (direction.bounded)
-				result[t] = std::max(
-					{result[t], length - std::exp(direction.greatest), std::exp(direction.least) - length});
+			result[t] = std::max({result[t], length - std::exp(direction.limits->greatest),
+								  std::exp(direction.limits->least) - length});
 		}
 	}
 	return result;

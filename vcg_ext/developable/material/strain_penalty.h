@@ -10,7 +10,7 @@
 #include "developable/mesh/mesh.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 #include <vector>
 
 namespace developable {
@@ -27,8 +27,9 @@ struct StrainedTriangles {
 	int count() const { return static_cast<int>(flat.cols()); }
 };
 
-/// The cost Ψ of strains e = log |F v| along unit vectors v of the pattern: those of the singular values, or
-/// warp, weft and both diagonals. With bounds l ≤ e ≤ h and a triangle's weight w,
+/// The cost Ψ of strains e = log |F v| along unit vectors v of the pattern: those of the singular values for
+/// what is bounded in every direction, and warp, weft and both diagonals for what is not. With bounds l ≤ e ≤
+/// h and a triangle's weight w,
 ///     Ψ = Σ w (γ/2 e² + p(e − h) + p(l − e))
 /// with the RoundedPenalty p, and the cost of the BorderFans. The little elastic energy makes the pattern
 /// unique where no bound is touched. Second derivatives count that principal directions turn, and leave out
@@ -51,7 +52,7 @@ public:
 
 	const StrainedTriangles& triangles() const { return triangles_; }
 	/// \param grain  per triangle, rad; not looked at where the bounds are not directed
-	void setGrain(std::vector<double> grain) { triangles_.grain = std::move(grain); }
+	void setGrain(std::vector<double> grain);
 
 	/// From now on the pattern's border counts, too.
 	/// \param flat  the pattern as it is at first
@@ -87,16 +88,25 @@ public:
 	}
 
 private:
+	struct Signs {
+		bool stretch, compression;
+	};
+	/// Of strains along one direction. Without a bound it is infinite.
+	struct Limits {
+		double least, greatest; // l, h
+		double elasticity;      // γ's share
+
+		bool any() const { return std::isfinite(least) || std::isfinite(greatest); }
+	};
 	struct Direction {
-		Eigen::Vector2d vector = {1, 0};
-		double least = 0, greatest = 0; // l, h
-		bool bounded = false;
-		double elasticity = 0;
+		Eigen::Vector2d vector;
+		const Limits* limits;
 	};
 	struct Directions {
 		Direction items[6];
 		int count = 0;
 
+		void add(const Eigen::Vector2d& vector, const Limits& limits) { items[count++] = {vector, &limits}; }
 		const Direction* begin() const { return items; }
 		const Direction* end() const { return items + count; }
 	};
@@ -104,16 +114,22 @@ private:
 		double first, second; // of the cost by e
 	};
 
+	/// Which sign's bounds differ with the direction.
+	static Signs differs(const StrainBounds& bounds);
+	/// \param bounded  which of the bounds count
+	static Limits limitsOf(const DirectionBounds& bounds, const Signs& bounded, double elasticity);
+
 	template <int size>
 	Derivatives<size> derivatives(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 	TriangleStrain strain(int triangle, const Positions& shaped, const Eigen::Matrix2Xd& flat) const;
 	Directions directions(int triangle, const TriangleStrain& strain) const;
-	double cost(const Direction& direction, double strain) const;
-	Slope slope(const Direction& direction, double strain) const;
+	double cost(const TriangleStrain& strain, const Directions& directions) const;
+	Slope slope(const Limits& limits, double strain) const;
 
 	StrainedTriangles triangles_;
-	const StrainBounds bounds_;
-	const double elasticity_;
+	std::vector<Eigen::Vector2d> warp_; // per triangle, in the plane
+	const bool directed_;               // whether bounds of either sign differ with the direction
+	const Limits ofPrincipal_, ofWarp_, ofWeft_, ofBias_;
 	RoundedPenalty edge_;
 };
 
