@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "developable/newton/newton_attempt.h"
+#include "developable/newton/attempts.h"
 #include "newton_problems.h"
 
 namespace developable::test {

@@ -3,19 +3,12 @@
 
 #include "developable/newton/coarsening.h"
 #include "newton_problems.h"
+#include "threads_allowed.h"
 
 #include <atomic>
-#include <cstdlib>
 
 namespace developable::test {
 namespace {
-
-/// As many as the environment says, until the end of a test.
-class OnThreads {
-public:
-	explicit OnThreads(const char* count) { setenv("OMP_NUM_THREADS", count, 1); }
-	~OnThreads() { unsetenv("OMP_NUM_THREADS"); }
-};
 
 std::unique_ptr<detail::NewtonProblem> fineProblem(const PatchAssembly& assembly) {
 	auto problem =
@@ -25,10 +18,10 @@ std::unique_ptr<detail::NewtonProblem> fineProblem(const PatchAssembly& assembly
 }
 
 TEST(Refinement, HasTheSameBitsBesideTheCoarseSolutionAndAfterIt) {
-	const PatchAssembly assembly = assembled(jitteredGrid(81, 81, wave));
+	const PatchAssembly assembly = assembled(jitteredGrid(51, 51, wave));
 	Positions alone;
 	for (const char* threads : {"1", "2"}) {
-		const OnThreads allowed(threads);
+		const ThreadsAllowed allowed(threads);
 		Positions positions = assembly.originalPositions;
 		EXPECT_EQ(constrainedNewton(assembly, positions, {}, {}).status, Status::Converged);
 		if (alone.cols() == 0)
@@ -41,14 +34,14 @@ TEST(Refinement, IsNotMadeForNothingOnOneThread) {
 	const PatchAssembly assembly = assembled(jitteredGrid(31, 31, wave));
 	const PartialAssembly coarse = detail::Coarsening(assembly, {}).coarsen(300);
 	for (const int threads : {1, 2}) {
-		const OnThreads allowed(std::to_string(threads).c_str());
+		const ThreadsAllowed allowed(std::to_string(threads).c_str());
 		std::atomic<int> made = 0;
 		bool coarseSolved = false;
 		detail::Refinement refinement(assembly, coarse, {}, 0, [&] {
 			++made;
 			return fineProblem(assembly);
 		});
-		refinement.prepareBeside({1, [&](const Progress&) { coarseSolved = true; }}, {});
+		refinement.prepareBeside([&] { coarseSolved = true; });
 		EXPECT_TRUE(coarseSolved);
 		EXPECT_EQ(made, std::min(threads, availableThreads()) - 1);
 		const Positions still = refinement.prolonged(Positions::Zero(3, coarse.assembly.placeCount()));
@@ -62,8 +55,7 @@ TEST(Refinement, EndsWithWhatTheCoarseSolutionThrows) {
 	const PatchAssembly assembly = assembled(jitteredGrid(31, 31, wave));
 	const PartialAssembly coarse = detail::Coarsening(assembly, {}).coarsen(300);
 	detail::Refinement refinement(assembly, coarse, {}, 0, [&] { return fineProblem(assembly); });
-	EXPECT_THROW(refinement.prepareBeside({1, [](const Progress&) { throw std::bad_alloc(); }}, {}),
-				 std::bad_alloc);
+	EXPECT_THROW(refinement.prepareBeside([] { throw std::bad_alloc(); }), std::bad_alloc);
 }
 
 } // namespace

@@ -23,5 +23,6 @@
 #include "patch_assembly.h"
 #include "progress.h"
 #include "report.h"
+#include "task_ahead.h"
 #include "triangle_mesh.h"
 #include "where.h"

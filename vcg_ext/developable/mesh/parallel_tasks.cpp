@@ -75,7 +75,7 @@ private:
 	/// \param goOn  asked whenever a task says how far it is
 	template <class GoOn>
 	void work(const GoOn& goOn) {
-		const int before = std::exchange(shareOfThisThread(), share_);
+		const ThreadShare share(share_);
 		for (std::size_t i = next_++; i < order_.size(); i = next_++) {
 			const int task = order_[i];
 			try {
@@ -89,7 +89,6 @@ private:
 			}
 			note(task, 1, "");
 		}
-		shareOfThisThread() = before;
 	}
 
 	void note(int task, double fraction, const std::string& message) {
@@ -170,6 +169,12 @@ int availableThreads() {
 	const int most = asked == nullptr ? 0 : std::atoi(asked);
 	const int processors = availableProcessors();
 	return most > 0 ? std::min(most, processors) : processors;
+}
+
+ThreadShare::ThreadShare(int threads) : before_(std::exchange(shareOfThisThread(), threads)) {}
+
+ThreadShare::~ThreadShare() {
+	shareOfThisThread() = before_;
 }
 
 int threadsAtHand() {

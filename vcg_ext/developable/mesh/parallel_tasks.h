@@ -22,6 +22,18 @@ int availableThreads();
 /// that are available.
 int threadsAtHand();
 
+/// As long as it lives this thread may work on so many threads itself.
+class ThreadShare {
+public:
+	explicit ThreadShare(int threads);
+	ThreadShare(const ThreadShare&) = delete;
+	ThreadShare& operator=(const ThreadShare&) = delete;
+	~ThreadShare();
+
+private:
+	const int before_;
+};
+
 /// Runs all tasks, large ones first, and returns when they have ended. Progress is only called from the
 /// calling thread.
 ///

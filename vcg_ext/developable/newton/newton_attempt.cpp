@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// newton_attempt.cpp: continuation and restoration, again and again.
+// newton_attempt.cpp: continuation, restoration, and the way back within the bound on displacements.
 #include "newton_attempt.h"
 
 #include "continuation.h"
@@ -70,18 +70,8 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 	const Ending ofReturn = way.run();
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
 		return ofReturn;
-	nearest = nearest > 0 ? std::min(nearest, way.nearest()) : way.nearest();
+	nearest = way.nearest();
 	return Ending::Stuck;
-}
-
-/// From the start to a developable shape within the bound on displacements.
-Ending attempt(NewtonProblem& problem, NewtonRun& run, bool stiffens, double& nearest) {
-	GaussNewton steps(problem, run, stiffens);
-	if (steps.unsolvable())
-		return Ending::Unsolvable;
-	Continuation continuation(problem, run, steps);
-	const Ending ending = approach(problem, run, steps, continuation);
-	return withinBound(ending, problem, run, steps, nearest);
 }
 
 constexpr double muchCurvature = 0.1; ///< share of C at the start: more left is far from developable
@@ -92,84 +82,30 @@ bool hopeless(const NewtonProblem& problem, const NewtonRun& run) {
 	return problem.metric().tooStiff() && run.shape().curvature > muchCurvature * run.startCurvature();
 }
 
-Eigen::VectorXd sameForAll(const NewtonProblem& problem, double smoothness) {
-	return Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness);
-}
-
-/// What an attempt says, as its part of all: the first most often is the only one.
-Progress progressOfAttempt(const Progress& progress, int attempt) {
-	constexpr double left = 0.5; // of what is left, to the attempts behind
-	const double begin = 1 - std::pow(left, attempt), end = 1 - std::pow(left, attempt + 1);
-	return partOf(progress, begin, end);
-}
-
-/// The nearest developable shape whose borders don't kink, if that is soon found; else the start, stuck.
-NewtonOutcome attemptWithLimits(NewtonProblem& problem, const Positions& start, double smoothness,
-								int maxIterations, const Progress& progress) {
-	const int steps = std::min(maxIterations, problem.tuning().limitedSteps);
-	if (steps < maxIterations && steps == 0)
-		return {Ending::Stuck, 0, start, smoothness};
-	problem.setSmoothness(sameForAll(problem, smoothness));
-	problem.jacobian().freeBorders(false);
-	const Progress progressOfThis = progressOfAttempt(progress, 0);
-	NewtonRun run(problem, withoutSymmetry(problem, start), steps, progressOfThis);
-	double nearest = 0;
-	Ending ending = attempt(problem, run, false, nearest);
-	if (ending == Ending::OutOfSteps && steps < maxIterations)
-		ending = Ending::Stuck;
-	const bool moved = ending != Ending::Stuck && run.iterations() > 0;
-	return {ending,     run.iterations(), moved ? run.nearest() : start,
-			smoothness, nearest,          ending == Ending::Reached};
-}
-
 } // namespace
 
-NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double smoothness,
-						  int maxIterations, const Progress& progress) {
-	const PatchAssembly& assembly = problem.assembly();
-	const NewtonTuning& tuning = problem.tuning();
-	Eigen::VectorXd smoothnesses = sameForAll(problem, smoothness);
-	Eigen::VectorXd leastDefects = flatDefects(assembly, start);
-	NewtonOutcome best = attemptWithLimits(problem, start, smoothness, maxIterations, progress);
-	if (best.ending != Ending::Stuck)
-		return best;
-	problem.jacobian().freeBorders(true);
-	for (int i = 0; i < tuning.attempts; ++i) {
-		problem.setSmoothness(smoothnesses);
-		const Progress progressOfThis = progressOfAttempt(progress, i + 1);
-		NewtonRun run(problem, withoutSymmetry(problem, start), maxIterations - best.iterations,
-					  progressOfThis);
-		best.ending = attempt(problem, run, i > 0, best.nearestDevelopable);
-		best.iterations += run.iterations();
-		// The attempts before had ended by themselves, and stiffer triangles are what can't be solved for.
-		const bool gaveUp = best.ending == Ending::OutOfSteps || best.ending == Ending::Unsolvable;
-		if (gaveUp && (i > 0 || problem.budget().spent()))
-			best.ending = Ending::Stuck;
-		if (best.ending == Ending::Stopped)
-			break;
-		const Eigen::VectorXd defects = flatDefects(assembly, run.nearest());
-		// A little less curvature is not worth the greater distance of a second attempt.
-		if (better(assembly, defects, leastDefects, i == 0 ? 1 : tuning.worthwhile)) {
-			leastDefects = defects;
-			best.positions = run.nearest();
-			best.smoothness = smoothnesses.maxCoeff();
-		}
-		if (best.ending != Ending::Stuck ||
-			best.nearestDevelopable > 0) // more smoothness leads farther still
-			break;
-		if (problem.budget().spent() || hopeless(problem, run))
-			break;
-		if (i > 0)
-			smoothnesses = problem.goal()
-							   .unmetPatches(assembly, defects)
-							   .select(tuning.smoothnessIncrease * smoothnesses, smoothnesses);
+AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
+					  const Progress& progress) {
+	problem.setSmoothness(setting.smoothness);
+	problem.jacobian().freeBorders(!setting.limitsBorders);
+	NewtonRun run(problem, withoutSymmetry(problem, start), setting.maxIterations, progress);
+	GaussNewton steps(problem, run, setting.stiffens);
+	AttemptResult result;
+	result.ending = Ending::Unsolvable;
+	if (!steps.unsolvable()) {
+		Continuation continuation(problem, run, steps);
+		result.ending = approach(problem, run, steps, continuation);
+		result.ending = withinBound(result.ending, problem, run, steps, result.nearestDevelopable);
 	}
-	return best;
+	result.iterations = run.iterations();
+	result.positions = run.nearest();
+	result.hopeless = hopeless(problem, run);
+	return result;
 }
 
-NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,
+AttemptResult restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,
 						  int maxIterations, const Progress& progress) {
-	problem.setSmoothness(sameForAll(problem, smoothness));
+	problem.setSmoothness(Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness));
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, start, maxIterations, progress);
 	GaussNewton steps(problem, run, true, problem.goal().farthest);
@@ -178,7 +114,7 @@ NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double
 		const double epsilon = Continuation(problem, run, steps).leastEpsilon();
 		ending = Restoration(problem, run, steps, epsilon).restore();
 	}
-	return {ending, run.iterations(), run.nearest(), smoothness};
+	return {ending, run.iterations(), run.nearest(), 0, false};
 }
 
 } // namespace developable::detail

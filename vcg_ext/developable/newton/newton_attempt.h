@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// newton_attempt.h: the constrained Newton method on one level, with more smoothness where it leads nowhere.
+// newton_attempt.h: one attempt of the constrained Newton method on one level.
 #pragma once
 
 #include "newton_run.h"
 
 namespace developable::detail {
 
-/// How the method ended on one level, or on a part of it.
-struct NewtonOutcome {
-	Ending ending = Ending::Stuck;
-	int iterations = 0;
-	Positions positions;
-	double smoothness = 0; ///< the largest α that a patch was given
-	/// How far the nearest developable shape found moves a place, where that is too far, length; else 0.
-	double nearestDevelopable = 0;
-	bool bordersLimited = false; ///< found while borders might not kink
+/// What an attempt may do.
+struct AttemptSetting {
+	Eigen::VectorXd smoothness; ///< α, per patch
+	bool limitsBorders = false; ///< borders may not kink
+	bool stiffens = false;      ///< triangles that are in the way are made stiffer
+	int maxIterations = 0;
 };
 
-/// Up to five attempts from the same start, each a continuation and a restoration: where the first leads
-/// nowhere, triangles that are in the way are made stiffer; patches that end where they are not developable
-/// then are tried again with 4, 16 and 64 times the smoothness.
-/// \return the best shape that was found; the start when none is better
-NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double smoothness,
-						  int maxIterations, const Progress& progress);
+/// What came of it.
+struct AttemptResult {
+	Ending ending = Ending::Stuck;
+	int iterations = 0;
+	Positions positions; ///< the last within the bound on displacements
+	/// How far the nearest developable shape found moves a place, where that is too far, length; else 0.
+	double nearestDevelopable = 0;
+	bool hopeless = false; ///< the shape itself needs a cut, and more smoothness would not help
+};
+
+/// From the start to a developable shape within the bound on displacements: a continuation and a restoration.
+AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
+					  const Progress& progress);
 
 /// A restoration alone, from a shape that is nearly there.
-NewtonOutcome restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,
+/// \param smoothness  α
+AttemptResult restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,
 						  int maxIterations, const Progress& progress);
 
 } // namespace developable::detail

@@ -38,6 +38,12 @@ public:
 	NewtonProblem(const PatchAssembly& assembly, const PatchAssembly& reference, const CurvatureGoal& goal,
 				  const NewtonTuning& tuning, double memoryLimit, double shapeSmoothness);
 
+	/// The same problem as it was at first, with a budget of its own: for another thread.
+	std::unique_ptr<NewtonProblem> another() const {
+		return std::make_unique<NewtonProblem>(assembly_, reference_, goal_, tuning_, memoryLimit_,
+											   shapeSmoothness_);
+	}
+
 	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, per patch
 	void setSmoothness(const Eigen::VectorXd& smoothness);

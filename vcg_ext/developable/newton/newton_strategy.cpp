@@ -168,12 +168,10 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
 	NewtonOutcome coarseOutcome;
 	Refinement refinement(assembly, coarse, tuning_, memoryLimit_, [&] { return fineProblemOf(level); });
-	refinement.prepareBeside(
-		{1,
-		 [&](const Progress& progressOfCoarse) {
-			 coarseOutcome = coarser(descends(level)).solveLevel(coarseLevel, coarseStart, progressOfCoarse);
-		 }},
-		partOf(progress, 0, coarseShare));
+	refinement.prepareBeside([&] {
+		coarseOutcome =
+			coarser(descends(level)).solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
+	});
 	if (coarseOutcome.ending == Ending::Stopped || coarseOutcome.ending == Ending::TooFar) {
 		coarseOutcome.positions = start;
 		return coarseOutcome;
@@ -231,10 +229,10 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, NewtonProblem& problem,
 	if (ending != Ending::Stuck || !solved)
 		return outcome;
 	problem.forgetNormalSystem();
-	const NewtonOutcome restored =
+	const AttemptResult restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
 	return {restored.ending,           outcome.iterations + restored.iterations,
-			restored.positions,        std::max(coarse.smoothness, restored.smoothness),
+			restored.positions,        std::max(coarse.smoothness, smoothness_),
 			coarse.nearestDevelopable, coarse.bordersLimited};
 }
 

@@ -3,7 +3,7 @@
 // left out.
 #pragma once
 
-#include "newton_attempt.h"
+#include "attempts.h"
 #include "unfairness.h"
 
 #include <optional>

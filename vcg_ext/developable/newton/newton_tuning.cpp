@@ -112,6 +112,7 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"workOnSmall", &NewtonTuning::workOnSmall},
 		{"workTogether", &NewtonTuning::workTogether},
 		{"attempts", &NewtonTuning::attempts},
+		{"workBeforeNext", &NewtonTuning::workBeforeNext},
 		{"smoothnessIncrease", &NewtonTuning::smoothnessIncrease},
 		{"worthwhile", &NewtonTuning::worthwhile},
 		{"coarsest", &NewtonTuning::coarsest},

@@ -127,6 +127,7 @@ struct NewtonTuning {
 
 	// Attempts with more smoothness.
 	int attempts = 5;
+	double workBeforeNext = 300;   ///< a place, until another thread begins the next attempt; most end before
 	double smoothnessIncrease = 4; ///< factor, from an attempt to the next
 	double worthwhile = 0.1;       ///< share of G that a later attempt may leave of an earlier one's
 

@@ -2,26 +2,44 @@
 // refinement.cpp: beside the coarse solution, or after it.
 #include "refinement.h"
 
+#include "developable/mesh/mesh.h"
+
 namespace developable::detail {
+
+namespace {
+
+constexpr int muchMemory = 200000; ///< places beyond which two preparations at once would take too much
+
+} // namespace
 
 Refinement::Refinement(const PatchAssembly& fine, const PartialAssembly& coarse, const NewtonTuning& tuning,
 					   double memoryLimit, MakeProblem makeProblem)
 	: fine_(fine), coarse_(coarse), tuning_(tuning), memoryLimit_(memoryLimit),
 	  makeProblem_(std::move(makeProblem)) {}
 
-void Refinement::prepareBeside(const Task& coarseSolution, const Progress& progress) {
-	if (threadsAtHand() == 1)
-		return coarseSolution.run(progress);
-	// How far all is, the coarse solution alone says.
-	const Task prolongation = {0, [this](const Progress&) { makeProlongation(); }};
-	const Task normalSystem = {0, [this](const Progress&) { problem().prepareNormalSystem(); }};
-	runTasks({coarseSolution, prolongation, normalSystem}, 0, progress);
+void Refinement::prepareBeside(const std::function<void()>& solveCoarse) {
+	const bool oneAfterTheOther = fine_.placeCount() > muchMemory;
+	TaskAhead normalSystem([this](const Progress&) { problem().prepareNormalSystem(); });
+	TaskAhead prolongation([&](const Progress&) {
+		makeProlongation();
+		if (oneAfterTheOther)
+			problem().prepareNormalSystem();
+	});
+	if (threadsAtHand() > 1) {
+		prolongation.begin();
+		if (!oneAfterTheOther)
+			normalSystem.begin();
+	}
+	solveCoarse();
+	for (TaskAhead* const task : {&prolongation, &normalSystem})
+		if (task->begun())
+			task->finish({});
 }
 
 Positions Refinement::prolonged(const Positions& coarseDisplacement) {
 	if (!prolongation_)
 		makeProlongation();
-	const Positions result = prolongation_->of(coarseDisplacement);
+	Positions result = prolongation_->of(coarseDisplacement);
 	prolongation_.reset();
 	return result;
 }

@@ -2,7 +2,6 @@
 // refinement.h: what a fine level needs that does not depend on the coarse solution.
 #pragma once
 
-#include "developable/mesh/parallel_tasks.h"
 #include "newton_problem.h"
 #include "prolongation.h"
 
@@ -22,7 +21,7 @@ public:
 			   double memoryLimit, MakeProblem makeProblem);
 
 	/// Runs what solves the coarse level, and makes the rest beside it.
-	void prepareBeside(const Task& coarseSolution, const Progress& progress);
+	void prepareBeside(const std::function<void()>& solveCoarse);
 
 	/// See Prolongation; to be called once, as its memory is given back.
 	Positions prolonged(const Positions& coarseDisplacement);

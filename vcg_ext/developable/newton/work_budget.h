@@ -10,13 +10,15 @@ namespace developable::detail {
 /// The unit is what one product with J W⁻¹ Jᵀ takes for one place.
 class WorkBudget {
 public:
-	explicit WorkBudget(double units = std::numeric_limits<double>::infinity()) : left_(units) {}
+	explicit WorkBudget(double units = std::numeric_limits<double>::infinity()) : units_(units) {}
 
-	void spend(double units) { left_ -= units; }
-	bool spent() const { return left_ <= 0; }
+	void spend(double units) { used_ += units; }
+	bool spent() const { return used_ >= units_; }
+	double used() const { return used_; }
+	double left() const { return units_ - used_; }
 
 private:
-	double left_;
+	double units_, used_ = 0;
 };
 
 } // namespace developable::detail

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/attempts.h"
+
+#include "newton_problems.h"
+#include "threads_allowed.h"
+
+namespace developable::test {
+namespace {
+
+/// Of a sphere what is below a height, from its lower pole: the higher, the farther from developable.
+TriangleMesh bowl(double height) {
+	const TriangleMesh ball = sphere(1, 3);
+	std::vector<int> kept;
+	for (int t = 0; t < ball.triangleCount(); ++t)
+		if (ball.positions(2, ball.triangles(0, t)) < height)
+			kept.push_back(t);
+	return makeMesh(ball.positions, ball.triangles(Eigen::all, kept));
+}
+
+/// \param workBeforeNext  a place, until the next attempt begins beside one
+detail::NewtonOutcome attempted(const PatchAssembly& assembly, const char* threads, double workBeforeNext,
+								double work, int maxIterations) {
+	const ThreadsAllowed allowed(threads);
+	NewtonTuning tuning;
+	tuning.workBeforeNext = workBeforeNext;
+	detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.3}, tuning, 0);
+	problem.setBudget(std::make_shared<detail::WorkBudget>(work * assembly.placeCount()));
+	return detail::attemptFrom(problem, assembly.originalPositions, 3e-6, maxIterations, {});
+}
+
+TEST(Attempts, EndTheSameWhenTheNextBeginsBesideOne) {
+	constexpr double plenty = 1e9;
+	const PatchAssembly assemblies[] = {assembled(jitteredGrid(15, 15, wave)), // the first attempt does
+										assembled(noisy(jitteredGrid(11, 11, saddle), 0.02)),
+										assembled(bowl(0)), assembled(bowl(0.9)), sewnPatches(9)};
+	for (const PatchAssembly& assembly : assemblies)
+		for (const auto& [work, maxIterations] :
+			 {std::pair(plenty, 200), std::pair(plenty, 70), std::pair(2000.0, 200)}) {
+			const detail::NewtonOutcome alone = attempted(assembly, "1", 0, work, maxIterations);
+			for (const double before : {0.0, 100.0}) {
+				const detail::NewtonOutcome beside = attempted(assembly, "2", before, work, maxIterations);
+				EXPECT_EQ(beside.positions, alone.positions);
+				EXPECT_EQ(beside.ending, alone.ending);
+				EXPECT_EQ(beside.iterations, alone.iterations);
+				EXPECT_EQ(beside.smoothness, alone.smoothness);
+				EXPECT_EQ(beside.nearestDevelopable, alone.nearestDevelopable);
+				EXPECT_EQ(beside.bordersLimited, alone.bordersLimited);
+			}
+		}
+}
+
+TEST(Attempts, StopAtOnceThoughTheNextIsAtWork) {
+	const PatchAssembly assembly = assembled(bowl(0.9));
+	const ThreadsAllowed allowed("2");
+	NewtonTuning tuning;
+	tuning.workBeforeNext = 0;
+	for (const int calls : {1, 30, 100}) {
+		detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.3}, tuning, 0);
+		int left = calls;
+		const detail::NewtonOutcome outcome =
+			detail::attemptFrom(problem, assembly.originalPositions, 3e-6, 200,
+								[&](double, const std::string&) { return --left > 0; });
+		EXPECT_EQ(outcome.ending, detail::Ending::Stopped);
+		EXPECT_EQ(left, 0);
+	}
+}
+
+} // namespace
+} // namespace developable::test
