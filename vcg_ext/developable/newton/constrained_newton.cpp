@@ -168,11 +168,14 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 	}
 	if (report.status == Status::Stopped)
 		return report;
+	// The places move last, when no memory can be missing any more.
+	Positions solved = positions;
 	for (std::size_t i = 0; i < parts.size(); ++i)
-		positions(Eigen::all, parts[i].wholePlace) = outcomes[i].positions;
-	report.patchVerdicts = patchVerdicts(assembly, positions, goal, parts, outcomes);
-	describeShape(assembly, angleDefects(assembly, positions), report);
-	describeFailure(assembly, positions, worst, report);
+		solved(Eigen::all, parts[i].wholePlace) = outcomes[i].positions;
+	report.patchVerdicts = patchVerdicts(assembly, solved, goal, parts, outcomes);
+	describeShape(assembly, angleDefects(assembly, solved), report);
+	describeFailure(assembly, solved, worst, report);
+	positions.swap(solved);
 	return report;
 }
 
