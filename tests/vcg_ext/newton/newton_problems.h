@@ -11,7 +11,7 @@ namespace developable::test {
 /// With the defaults of everything.
 inline detail::NewtonProblem problemOf(const PatchAssembly& assembly) {
 	detail::NewtonProblem problem(assembly, {1e-4, 1e-4}, {}, 0);
-	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), 3e-6));
+	problem.setSmoothness(3e-6);
 	return problem;
 }
 

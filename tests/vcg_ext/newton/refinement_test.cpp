@@ -13,7 +13,7 @@ namespace {
 std::unique_ptr<detail::NewtonProblem> fineProblem(const PatchAssembly& assembly) {
 	auto problem =
 		std::make_unique<detail::NewtonProblem>(assembly, detail::CurvatureGoal(), NewtonTuning(), 0);
-	problem->setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), 3e-6));
+	problem->setSmoothness(3e-6);
 	return problem;
 }
 

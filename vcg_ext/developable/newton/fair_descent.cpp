@@ -46,7 +46,7 @@ std::optional<Positions> FairDescent::along(const Unfairness::Step& step, double
 	reference.originalPositions = from + share * step.move;
 	NewtonProblem problem(original, reference, goal_, tuning_, memoryLimit_, unfairness_.shapeSmoothness());
 	problem.setBudget(budget_);
-	problem.setSmoothness(Eigen::VectorXd::Constant(original.patchCount(), smoothness_));
+	problem.setSmoothness(smoothness_);
 	problem.jacobian().freeBorders(true);
 	problem.weigh(step.extraMasses);
 	NewtonRun run(problem, from, maxIterations_, progress);

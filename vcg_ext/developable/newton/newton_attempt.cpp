@@ -105,7 +105,7 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 
 AttemptResult restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,
 						  int maxIterations, const Progress& progress) {
-	problem.setSmoothness(Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness));
+	problem.setSmoothness(smoothness);
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, start, maxIterations, progress);
 	GaussNewton steps(problem, run, true, problem.goal().farthest);

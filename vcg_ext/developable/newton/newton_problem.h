@@ -47,6 +47,10 @@ public:
 	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, per patch
 	void setSmoothness(const Eigen::VectorXd& smoothness);
+	/// The same α in all patches.
+	void setSmoothness(double smoothness) {
+		setSmoothness(Eigen::VectorXd::Constant(assembly_.patchCount(), smoothness));
+	}
 
 	Shape shapeAt(const Positions& positions) const;
 

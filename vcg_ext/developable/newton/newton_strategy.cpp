@@ -123,7 +123,7 @@ std::unique_ptr<NewtonProblem> NewtonStrategy::problemOf(const Level& level) con
 
 std::unique_ptr<NewtonProblem> NewtonStrategy::fineProblemOf(const Level& level) const {
 	std::unique_ptr<NewtonProblem> problem = problemOf(level);
-	problem->setSmoothness(Eigen::VectorXd::Constant(level.assembly.patchCount(), smoothness_));
+	problem->setSmoothness(smoothness_);
 	problem->jacobian().freeBorders(true);
 	return problem;
 }
@@ -197,7 +197,7 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 		tuning_.leastSquares > 0 && (holdsPlaces(assembly) || outcome.nearestDevelopable > 0);
 	if (outcome.ending != Ending::Stuck || !hemmedIn || stepsLeft <= 0)
 		return outcome;
-	problem.setSmoothness(Eigen::VectorXd::Constant(assembly.patchCount(), smoothness_));
+	problem.setSmoothness(smoothness_);
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
 	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
