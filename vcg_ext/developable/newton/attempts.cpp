@@ -141,8 +141,14 @@ bool Attempts::withLimits() {
 	if (result.ending == Ending::OutOfSteps && steps < maxIterations_)
 		result.ending = Ending::Stuck;
 	note(result);
-	if (result.ending == Ending::Stuck)
+	if (result.ending == Ending::Stuck) {
+		const Eigen::VectorXd defects = flatDefects(problem_.assembly(), result.positions);
+		if (defects.cwiseAbs().sum() < leastDefects_.cwiseAbs().sum()) {
+			leastDefects_ = defects;
+			best_.positions = result.positions;
+		}
 		return false;
+	}
 	if (result.iterations > 0)
 		best_.positions = result.positions;
 	best_.bordersLimited = result.ending == Ending::Reached;
@@ -162,7 +168,7 @@ bool Attempts::withoutLimits(int i) {
 		return true;
 	const Eigen::VectorXd defects = flatDefects(assembly, result.positions);
 	// A little less curvature is not worth the greater distance of a second attempt.
-	if (better(assembly, defects, leastDefects_, i == 0 ? 1 : tuning.worthwhile)) {
+	if (tuning.rescues==2 ? better(assembly, defects, leastDefects_, i == 0 ? 1 : tuning.worthwhile) : (best_.ending==Ending::Reached || defects.cwiseAbs().sum() < leastDefects_.cwiseAbs().sum())) {
 		leastDefects_ = defects;
 		best_.positions = result.positions;
 		best_.smoothness = smoothness_.maxCoeff();

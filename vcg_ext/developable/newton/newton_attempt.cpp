@@ -35,6 +35,14 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, Cont
 	const Ending ending = continuation.follow();
 	if (ending != Ending::Settled && ending != Ending::Stuck)
 		return ending;
+	const Ending restored = Restoration(problem, run, steps, continuation.epsilon()).restore();
+	if ((restored != Ending::Stuck && restored!=Ending::OutOfSteps)  || problem.tuning().rescueShare < 1e-6 || problem.metric().tooStiff() ||
+		run.shape().curvature > problem.tuning().rescueShare * run.startCurvature())
+		return restored;
+	problem.jacobian().freeBorders(true);
+	run.goBackTo(problem.shapeAt(run.shape().positions));
+	if (run.shape().reached) return Ending::Reached;
+	steps.beginToStiffen();
 	return Restoration(problem, run, steps, continuation.epsilon()).restore();
 }
 

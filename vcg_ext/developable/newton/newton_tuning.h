@@ -46,7 +46,13 @@ struct NewtonTuning {
 	double restorationDecrease = 0.1; ///< of ε after a full step: Newton's method converges quadratically
 	double restorationIncrease = 4;   ///< of ε after a short step
 	double restorationRetry = 16;     ///< of ε when no step was any good
+	double restorationLeast = 1e-8;  ///< ε, share of the greatest response: below it rounding makes the steps
+	int restorationReview = 8;        ///< steps in a row that are judged together
+	double restorationSlow = 0.5;     ///< share of |g|² that those may leave: success halves it in each
 	double restorationShortStep = 0.25; ///< length below which a step is short
+
+	double rescueShare = 0.1;   ///< share of C at the start
+	int rescues = 1;
 
 	// Shortest steps, for what is developable but for rounding.
 	double shortestMove = 1e-3;    ///< share of the shortest edge that a place may move by
@@ -77,7 +83,7 @@ struct NewtonTuning {
 	int responseSteps = 3;    ///< of the power iteration for the greatest response
 	int systemSteps = 200;    ///< of conjugate gradients; some tens are usual
 	int slowSystem = 15;      ///< more products: the systems of this run are factorised from then on
-	int slowStiffSystem = 60; ///< the same of a run that makes triangles stiffer
+	int slowStiffSystem = 15; ///< the same of a run that makes triangles stiffer
 	int directWork = 30;      ///< of a system that is factorised, in steps of conjugate gradients
 	double plainAbove = 0.01; ///< share of the greatest response: with such an ε no preconditioner pays
 	double slackMass = 100;   ///< κ of the preconditioner

@@ -8,12 +8,14 @@ Restoration::Restoration(NewtonProblem& problem, NewtonRun& run, GaussNewton& st
 	: problem_(problem), run_(run), steps_(steps), epsilon_(epsilon) {}
 
 Ending Restoration::restore() {
+	std::vector<double> squares; // |g|² before each step
 	for (int idle = 0; !run_.shape().reached;) {
 		if (problem_.metric().tooStiff())
 			return Ending::Stuck;
 		if (!run_.takeStep())
 			return Ending::OutOfSteps;
 		const double before = run_.shape().scaledDefects.squaredNorm();
+		squares.push_back(before);
 		steps_.forgetMultipliers();
 		const double length = steps_.step(0, epsilon_);
 		if (steps_.stopped())
@@ -22,11 +24,19 @@ Ending Restoration::restore() {
 			return Ending::Unsolvable;
 		const double left = run_.shape().scaledDefects.squaredNorm() / before;
 		idle = left > problem_.tuning().restorationIdle ? idle + 1 : 0;
-		if (idle == problem_.tuning().restorationPatience)
+		if (idle == problem_.tuning().restorationPatience || crawls(squares))
 			return Ending::Stuck;
-		epsilon_ *= epsilonFactor(length);
+		epsilon_ = std::max(epsilon_ * epsilonFactor(length),
+							problem_.tuning().restorationLeast * steps_.greatestResponse());
 	}
 	return Ending::Reached;
+}
+
+/// Slow steps in between are usual, but as many as this have never led to zero: something is in the way.
+bool Restoration::crawls(const std::vector<double>& squares) const {
+	const std::size_t review = problem_.tuning().restorationReview;
+	return squares.size() >= review && run_.shape().scaledDefects.squaredNorm() >
+										   problem_.tuning().restorationSlow * squares.end()[-int(review)];
 }
 
 double Restoration::epsilonFactor(double length) const {

@@ -17,6 +17,7 @@ public:
 	Ending restore();
 
 private:
+	bool crawls(const std::vector<double>& squares) const;
 	double epsilonFactor(double length) const;
 
 	NewtonProblem& problem_;
