@@ -66,7 +66,7 @@ public:
 	NewtonOutcome run() {
 		if (withLimits())
 			return best_;
-		for (int i = 0; i < problem_.tuning().attempts; ++i)
+		for (int i = metLimits_ ? 0 : 1; i < problem_.tuning().attempts; ++i)
 			if (withoutLimits(i))
 				break;
 		return best_;
@@ -97,6 +97,7 @@ private:
 	Eigen::VectorXd smoothness_; // of the attempt at hand
 	Eigen::VectorXd leastDefects_;
 	NewtonOutcome best_;
+	bool metLimits_ = true;
 	std::unique_ptr<AttemptAhead> ahead_;
 };
 
@@ -142,6 +143,8 @@ bool Attempts::withLimits() {
 		result.ending = Ending::Stuck;
 	note(result);
 	if (result.ending == Ending::Stuck) {
+		if (problem_.tuning().expSkip == 2) metLimits_ = result.metLimits;
+		if (!metLimits_) ahead_.reset();
 		const Eigen::VectorXd defects = flatDefects(problem_.assembly(), result.positions);
 		if (defects.cwiseAbs().sum() < leastDefects_.cwiseAbs().sum()) {
 			leastDefects_ = defects;
@@ -173,7 +176,8 @@ bool Attempts::withoutLimits(int i) {
 		best_.positions = result.positions;
 		best_.smoothness = smoothness_.maxCoeff();
 	}
-	if (best_.ending != Ending::Stuck || best_.nearestDevelopable > 0) // more smoothness leads farther still
+	if (best_.ending == Ending::Reached) best_.nearestDevelopable = 0;
+	if (best_.ending != Ending::Stuck || (best_.nearestDevelopable > 0 && (tuning.expFar == 1 || i > 0))) // more smoothness leads farther still
 		return true;
 	if (problem_.budget().spent() || result.hopeless)
 		return true;

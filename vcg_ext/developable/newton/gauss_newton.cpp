@@ -21,6 +21,7 @@ double GaussNewton::step(double tau, double epsilon) {
 	for (int i = 0; i < problem_.tuning().foresights && !stopped_; ++i) {
 		if (!problem_.jacobian().foresee(run_.shape().positions, run_.shape().positions + whole))
 			break;
+		metLimits_ = true;
 		whole = direction(tau, epsilon, true);
 	}
 	const int stiffenings = stiffens_ ? problem_.tuning().stiffenings : 0;

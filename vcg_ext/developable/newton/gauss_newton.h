@@ -33,6 +33,9 @@ public:
 	double merit(const Shape& shape, double epsilon) const { return merit(shape, 1, epsilon); }
 	double squaredDistance(const Shape& shape) const;
 
+	/// Whether a step had to heed the limits on borders.
+	bool metLimits() const { return metLimits_; }
+
 	/// Whether the last step was cut short by the user, or could not be computed.
 	bool stopped() const { return stopped_; }
 	bool unsolvable() const { return unsolvable_; }
@@ -49,7 +52,7 @@ private:
 	MultiplierSolver solver_;
 	Eigen::VectorXd multipliers_; // y
 	double greatestResponse_ = 0;
-	bool stopped_ = false, unsolvable_ = false;
+	bool stopped_ = false, unsolvable_ = false, metLimits_ = false;
 };
 
 } // namespace developable::detail

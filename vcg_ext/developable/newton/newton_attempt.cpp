@@ -105,6 +105,7 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 		result.ending = approach(problem, run, steps, continuation);
 		result.ending = withinBound(result.ending, problem, run, steps, result.nearestDevelopable);
 	}
+	result.metLimits = steps.metLimits();
 	result.iterations = run.iterations();
 	result.positions = run.nearest();
 	result.hopeless = hopeless(problem, run);

@@ -194,7 +194,7 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
 	const bool hemmedIn =
-		tuning_.leastSquares > 0 && (holdsPlaces(assembly) || outcome.nearestDevelopable > 0);
+		tuning_.expLsq == 2 || ((tuning_.leastSquares > 0) && (holdsPlaces(assembly) || outcome.nearestDevelopable > 0));
 	if (outcome.ending != Ending::Stuck || !hemmedIn || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(smoothness_);

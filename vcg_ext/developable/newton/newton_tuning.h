@@ -51,8 +51,9 @@ struct NewtonTuning {
 	double restorationSlow = 0.5;     ///< share of |g|² that those may leave: success halves it in each
 	double restorationShortStep = 0.25; ///< length below which a step is short
 
-	double rescueShare = 0.1;   ///< share of C at the start
+	double rescueShare = 0.3;   ///< share of C at the start
 	int rescues = 1;
+	int expSkip = 2, expFar = 2, expLsq = 2;
 
 	// Shortest steps, for what is developable but for rounding.
 	double shortestMove = 1e-3;    ///< share of the shortest edge that a place may move by
