@@ -58,7 +58,7 @@ public:
 			 const Progress& progress)
 		: problem_(problem), start_(start), maxIterations_(maxIterations), progress_(progress),
 		  smoothness_(Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness)),
-		  leastDefects_(flatDefects(problem.assembly(), start)) {
+		  startDefects_(flatDefects(problem.assembly(), start)), leastDefects_(startDefects_) {
 		best_.positions = start;
 		best_.smoothness = smoothness;
 	}
@@ -66,6 +66,8 @@ public:
 	NewtonOutcome run() {
 		if (withLimits())
 			return best_;
+		if (!metLimits_) // without limits it would go the same way again
+			ahead_.reset();
 		for (int i = metLimits_ ? 0 : 1; i < problem_.tuning().attempts; ++i)
 			if (withoutLimits(i))
 				break;
@@ -89,12 +91,14 @@ private:
 	/// \param i  -1: the one that limits borders
 	AttemptResult take(const AttemptSetting& setting, int i);
 	void note(const AttemptResult& result);
+	void keepIfBest(const AttemptResult& result);
 
 	NewtonProblem& problem_;
 	const Positions& start_;
 	const int maxIterations_;
 	const Progress& progress_;
 	Eigen::VectorXd smoothness_; // of the attempt at hand
+	const Eigen::VectorXd startDefects_;
 	Eigen::VectorXd leastDefects_;
 	NewtonOutcome best_;
 	bool metLimits_ = true;
@@ -128,10 +132,24 @@ AttemptResult Attempts::take(const AttemptSetting& setting, int i) {
 void Attempts::note(const AttemptResult& result) {
 	best_.ending = result.ending;
 	best_.iterations += result.iterations;
-	if (result.nearestDevelopable > 0)
+	if (result.ending == Ending::Reached)
+		best_.nearestDevelopable = 0;
+	else if (result.nearestDevelopable > 0)
 		best_.nearestDevelopable = best_.nearestDevelopable > 0
 									   ? std::min(best_.nearestDevelopable, result.nearestDevelopable)
 									   : result.nearestDevelopable;
+}
+
+void Attempts::keepIfBest(const AttemptResult& result) {
+	const PatchAssembly& assembly = problem_.assembly();
+	const Eigen::VectorXd defects = flatDefects(assembly, result.positions);
+	const bool best =
+		better(assembly, defects, startDefects_) && lessCurved(assembly, defects, leastDefects_);
+	if (result.ending != Ending::Reached && !best)
+		return;
+	leastDefects_ = defects;
+	best_.positions = result.positions;
+	best_.smoothness = smoothness_.maxCoeff();
 }
 
 bool Attempts::withLimits() {
@@ -142,25 +160,16 @@ bool Attempts::withLimits() {
 	if (result.ending == Ending::OutOfSteps && steps < maxIterations_)
 		result.ending = Ending::Stuck;
 	note(result);
-	if (result.ending == Ending::Stuck) {
-		if (problem_.tuning().expSkip == 2) metLimits_ = result.metLimits;
-		if (!metLimits_) ahead_.reset();
-		const Eigen::VectorXd defects = flatDefects(problem_.assembly(), result.positions);
-		if (defects.cwiseAbs().sum() < leastDefects_.cwiseAbs().sum()) {
-			leastDefects_ = defects;
-			best_.positions = result.positions;
-		}
-		return false;
-	}
-	if (result.iterations > 0)
-		best_.positions = result.positions;
-	best_.bordersLimited = result.ending == Ending::Reached;
-	return true;
+	if (best_.ending == Ending::Stopped)
+		return true;
+	keepIfBest(result);
+	metLimits_ = result.metLimits;
+	best_.bordersLimited = result.ending == Ending::Reached && result.bordersLimited;
+	return result.ending != Ending::Stuck;
 }
 
 bool Attempts::withoutLimits(int i) {
 	const NewtonTuning& tuning = problem_.tuning();
-	const PatchAssembly& assembly = problem_.assembly();
 	const AttemptResult result = take(settingOf(i), i);
 	note(result);
 	// The attempts before had ended by themselves, and stiffer triangles are what can't be solved for.
@@ -169,22 +178,16 @@ bool Attempts::withoutLimits(int i) {
 		best_.ending = Ending::Stuck;
 	if (best_.ending == Ending::Stopped)
 		return true;
-	const Eigen::VectorXd defects = flatDefects(assembly, result.positions);
-	// A little less curvature is not worth the greater distance of a second attempt.
-	if (tuning.rescues==2 ? better(assembly, defects, leastDefects_, i == 0 ? 1 : tuning.worthwhile) : (best_.ending==Ending::Reached || defects.cwiseAbs().sum() < leastDefects_.cwiseAbs().sum())) {
-		leastDefects_ = defects;
-		best_.positions = result.positions;
-		best_.smoothness = smoothness_.maxCoeff();
-	}
-	if (best_.ending == Ending::Reached) best_.nearestDevelopable = 0;
-	if (best_.ending != Ending::Stuck || (best_.nearestDevelopable > 0 && (tuning.expFar == 1 || i > 0))) // more smoothness leads farther still
+	keepIfBest(result);
+	const bool smootherLeadsFarther = best_.nearestDevelopable > 0 && i > 0;
+	if (best_.ending != Ending::Stuck || smootherLeadsFarther || problem_.budget().spent() || result.hopeless)
 		return true;
-	if (problem_.budget().spent() || result.hopeless)
-		return true;
-	if (i > 0)
+	if (i > 0) {
+		const Eigen::VectorXd defects = flatDefects(problem_.assembly(), result.positions);
 		smoothness_ = problem_.goal()
-						  .unmetPatches(assembly, defects)
+						  .unmetPatches(problem_.assembly(), defects)
 						  .select(tuning.smoothnessIncrease * smoothness_, smoothness_);
+	}
 	return false;
 }
 

@@ -45,10 +45,15 @@ double CurvatureGoal::shareRemoved(double startCurvature, double curvature) cons
 	return whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0;
 }
 
-bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others,
-			double share) {
-	return detectFunction(defects) < share * detectFunction(others) &&
-		   (holdsPlaces(assembly) || defects.cwiseAbs().sum() < others.cwiseAbs().sum());
+bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others) {
+	return detectFunction(defects) < detectFunction(others) && lessCurved(assembly, defects, others);
+}
+
+bool lessCurved(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
+				const Eigen::VectorXd& others) {
+	if (holdsPlaces(assembly))
+		return detectFunction(defects) < detectFunction(others);
+	return defects.cwiseAbs().sum() < others.cwiseAbs().sum();
 }
 
 } // namespace developable::detail

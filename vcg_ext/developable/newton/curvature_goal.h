@@ -37,9 +37,11 @@ struct CurvatureGoal {
 	double shareRemoved(double startCurvature, double curvature) const;
 };
 
-/// Whether a shape is better than another: less than a share of its G, and less C too unless places are held,
-/// for then the goal is the least squares of g.
-bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others,
-			double share = 1);
+/// Whether a shape is better than another: less G, and less C too unless places are held, for then the goal
+/// is the least squares of g.
+bool better(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others);
+
+/// Whether it has less C, or less G where places are held.
+bool lessCurved(const PatchAssembly& assembly, const Eigen::VectorXd& defects, const Eigen::VectorXd& others);
 
 } // namespace developable::detail

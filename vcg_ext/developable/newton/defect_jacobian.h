@@ -22,6 +22,7 @@ public:
 
 	/// Whether borders may turn as they like from now on.
 	void freeBorders(bool free) { bordersFree_ = free; }
+	bool bordersFree() const { return bordersFree_; }
 
 	int rowCount() const { return copyRows() + static_cast<int>(turns_.joints().size()); }
 

@@ -30,20 +30,26 @@ Positions withoutSymmetry(const NewtonProblem& problem, const Positions& start) 
 	return near && problem.soundness().holds(moved) ? moved : start;
 }
 
+/// A restoration that leads no further: borders may turn as they like now, and triangles that are in the way
+/// are made stiffer.
+Ending restoreMoreFreely(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon) {
+	problem.jacobian().freeBorders(true);
+	run.goBackTo(problem.shapeAt(run.shape().positions)); // limits on borders no longer count in its defects
+	steps.beginToStiffen();
+	return Restoration(problem, run, steps, epsilon).restore();
+}
+
 /// A continuation and, where that has not reached g = 0 by itself, a restoration.
-Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, Continuation& continuation) {
+Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
+	Continuation continuation(problem, run, steps);
 	const Ending ending = continuation.follow();
 	if (ending != Ending::Settled && ending != Ending::Stuck)
 		return ending;
 	const Ending restored = Restoration(problem, run, steps, continuation.epsilon()).restore();
-	if ((restored != Ending::Stuck && restored!=Ending::OutOfSteps)  || problem.tuning().rescueShare < 1e-6 || problem.metric().tooStiff() ||
-		run.shape().curvature > problem.tuning().rescueShare * run.startCurvature())
+	const bool nearlyThere = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
+	if (restored != Ending::Stuck || !nearlyThere || problem.metric().tooStiff())
 		return restored;
-	problem.jacobian().freeBorders(true);
-	run.goBackTo(problem.shapeAt(run.shape().positions));
-	if (run.shape().reached) return Ending::Reached;
-	steps.beginToStiffen();
-	return Restoration(problem, run, steps, continuation.epsilon()).restore();
+	return restoreMoreFreely(problem, run, steps, continuation.epsilon());
 }
 
 /// A developable shape with a place that moves a little farther than it had better: there may be one near it
@@ -101,11 +107,11 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	AttemptResult result;
 	result.ending = Ending::Unsolvable;
 	if (!steps.unsolvable()) {
-		Continuation continuation(problem, run, steps);
-		result.ending = approach(problem, run, steps, continuation);
+		result.ending = approach(problem, run, steps);
 		result.ending = withinBound(result.ending, problem, run, steps, result.nearestDevelopable);
 	}
 	result.metLimits = steps.metLimits();
+	result.bordersLimited = !problem.jacobian().bordersFree();
 	result.iterations = run.iterations();
 	result.positions = run.nearest();
 	result.hopeless = hopeless(problem, run);
@@ -123,7 +129,11 @@ AttemptResult restoreFrom(NewtonProblem& problem, const Positions& start, double
 		const double epsilon = Continuation(problem, run, steps).leastEpsilon();
 		ending = Restoration(problem, run, steps, epsilon).restore();
 	}
-	return {ending, run.iterations(), run.nearest(), 0, false};
+	AttemptResult result;
+	result.ending = ending;
+	result.iterations = run.iterations();
+	result.positions = run.nearest();
+	return result;
 }
 
 } // namespace developable::detail

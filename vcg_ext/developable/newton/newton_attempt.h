@@ -21,8 +21,9 @@ struct AttemptResult {
 	Positions positions; ///< the last within the bound on displacements
 	/// How far the nearest developable shape found moves a place, where that is too far, length; else 0.
 	double nearestDevelopable = 0;
-	bool metLimits = false; ///< borders came to their limits
-	bool hopeless = false; ///< the shape itself needs a cut, and more smoothness would not help
+	bool metLimits = false;      ///< borders came to their limits
+	bool bordersLimited = false; ///< to the end
+	bool hopeless = false;       ///< the shape itself needs a cut, and more smoothness would not help
 };
 
 /// From the start to a developable shape within the bound on displacements: a continuation and a restoration.

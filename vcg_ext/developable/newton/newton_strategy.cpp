@@ -184,8 +184,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 				  partOf(progress, coarseShare, 1, announcement));
 }
 
-/// Where held places, or the bound on displacements, leave no way to g = 0, steps along the normals go on to
-/// the least squares of it.
+/// Where there is no way to g = 0, steps along the normals go on to the least squares of it.
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
 											const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
@@ -193,16 +192,16 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 	NewtonProblem& problem = *own;
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
-	const bool hemmedIn =
-		tuning_.expLsq == 2 || ((tuning_.leastSquares > 0) && (holdsPlaces(assembly) || outcome.nearestDevelopable > 0));
-	if (outcome.ending != Ending::Stuck || !hemmedIn || stepsLeft <= 0)
+	if (outcome.ending != Ending::Stuck || tuning_.leastSquares == 0 || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(smoothness_);
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
 	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	outcome.iterations += run.iterations();
-	outcome.positions = run.shape().positions;
+	if (lessCurved(assembly, flatDefects(assembly, run.shape().positions),
+				   flatDefects(assembly, outcome.positions)))
+		outcome.positions = run.shape().positions;
 	// Least squares are approached slowly: to run out of steps there is no more than to be stuck.
 	if (ending != Ending::OutOfSteps)
 		outcome.ending = ending;

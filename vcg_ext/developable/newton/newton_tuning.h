@@ -46,14 +46,12 @@ struct NewtonTuning {
 	double restorationDecrease = 0.1; ///< of ε after a full step: Newton's method converges quadratically
 	double restorationIncrease = 4;   ///< of ε after a short step
 	double restorationRetry = 16;     ///< of ε when no step was any good
-	double restorationLeast = 1e-8;  ///< ε, share of the greatest response: below it rounding makes the steps
-	int restorationReview = 8;        ///< steps in a row that are judged together
-	double restorationSlow = 0.5;     ///< share of |g|² that those may leave: success halves it in each
+	double restorationLeast = 1e-8; ///< ε, share of the greatest response: below it rounding makes the steps
+	int restorationReview = 8;      ///< steps in a row that are judged together
+	double restorationSlow = 0.5;   ///< share of |g|² that those may leave: success halves it in each
 	double restorationShortStep = 0.25; ///< length below which a step is short
 
-	double rescueShare = 0.3;   ///< share of C at the start
-	int rescues = 1;
-	int expSkip = 2, expFar = 2, expLsq = 2;
+	double nearlyThere = 0.3; ///< share of C at the start from which a restoration goes on more freely
 
 	// Shortest steps, for what is developable but for rounding.
 	double shortestMove = 1e-3;    ///< share of the shortest edge that a place may move by
@@ -136,7 +134,6 @@ struct NewtonTuning {
 	int attempts = 5;
 	double workBeforeNext = 300;   ///< a place, until another thread begins the next attempt; most end before
 	double smoothnessIncrease = 4; ///< factor, from an attempt to the next
-	double worthwhile = 0.1;       ///< share of G that a later attempt may leave of an earlier one's
 
 	// Levels.
 	int coarsest = 1500;              ///< places; so few are solved directly
