@@ -145,7 +145,7 @@ void Attempts::keepIfBest(const AttemptResult& result) {
 	const Eigen::VectorXd defects = flatDefects(assembly, result.positions);
 	const bool best =
 		better(assembly, defects, startDefects_) && lessCurved(assembly, defects, leastDefects_);
-	if (result.ending != Ending::Reached && !best)
+	if (result.iterations == 0 || (result.ending != Ending::Reached && !best))
 		return;
 	leastDefects_ = defects;
 	best_.positions = result.positions;

@@ -46,8 +46,10 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 	if (ending != Ending::Settled && ending != Ending::Stuck)
 		return ending;
 	const Ending restored = Restoration(problem, run, steps, continuation.epsilon()).restore();
-	const bool nearlyThere = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
-	if (restored != Ending::Stuck || !nearlyThere || problem.metric().tooStiff())
+	// Where places are held, what is looked for is the least squares of g.
+	const bool goesOn = !holdsPlaces(problem.assembly()) && !problem.metric().tooStiff() &&
+						run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
+	if (restored != Ending::Stuck || !goesOn)
 		return restored;
 	return restoreMoreFreely(problem, run, steps, continuation.epsilon());
 }

@@ -192,7 +192,9 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 	NewtonProblem& problem = *own;
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
 	const int stepsLeft = maxIterations_ - outcome.iterations;
-	if (outcome.ending != Ending::Stuck || tuning_.leastSquares == 0 || stepsLeft <= 0)
+	const bool hemmedIn = holdsPlaces(assembly) || outcome.nearestDevelopable > 0;
+	const bool wanted = tuning_.leastSquares > 0 && (hemmedIn || !budget_->spent());
+	if (outcome.ending != Ending::Stuck || !wanted || stepsLeft <= 0)
 		return outcome;
 	problem.setSmoothness(smoothness_);
 	problem.jacobian().freeBorders(true);
