@@ -191,14 +191,15 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 	const std::unique_ptr<NewtonProblem> own = problemOf(level);
 	NewtonProblem& problem = *own;
 	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
-	const int stepsLeft = maxIterations_ - outcome.iterations;
 	const bool hemmedIn = holdsPlaces(assembly) || outcome.nearestDevelopable > 0;
 	const bool wanted = tuning_.leastSquares > 0 && (hemmedIn || !budget_->spent());
-	if (outcome.ending != Ending::Stuck || !wanted || stepsLeft <= 0)
+	const int stepsLeft = maxIterations_ - outcome.iterations;
+	const int steps = hemmedIn ? stepsLeft : std::min(stepsLeft, tuning_.leastSquaresSteps);
+	if (outcome.ending != Ending::Stuck || !wanted || steps <= 0)
 		return outcome;
 	problem.setSmoothness(smoothness_);
 	problem.jacobian().freeBorders(true);
-	NewtonRun run(problem, outcome.positions, stepsLeft, progress);
+	NewtonRun run(problem, outcome.positions, steps, progress);
 	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	outcome.iterations += run.iterations();
 	if (lessCurved(assembly, flatDefects(assembly, run.shape().positions),

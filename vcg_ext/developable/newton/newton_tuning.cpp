@@ -112,6 +112,7 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"pullBackRounds", &NewtonTuning::pullBackRounds},
 		{"pullBackSteps", &NewtonTuning::pullBackSteps},
 		{"leastSquares", &NewtonTuning::leastSquares},
+		{"leastSquaresSteps", &NewtonTuning::leastSquaresSteps},
 		{"workPerPlace", &NewtonTuning::workPerPlace},
 		{"workOnSmall", &NewtonTuning::workOnSmall},
 		{"workTogether", &NewtonTuning::workTogether},

@@ -114,6 +114,7 @@ struct NewtonTuning {
 	int pullBackRounds = 4;       ///< a try, each with more heavy places
 	int pullBackSteps = 200;      ///< a try
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
+	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
 
 	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very
 	// thin triangles.
