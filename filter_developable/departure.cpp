@@ -41,16 +41,25 @@ double numberOf(const Result& result) {
 }
 
 void addDeparture(Results& results, const PatchAssembly& assembly, const Positions& positions) {
-	const Positions& original = assembly.originalPositions;
-	const double diagonal = (original.rowwise().maxCoeff() - original.rowwise().minCoeff()).norm();
-	const double moved = displacementMap(original, positions).maxCoeff();
-	const Eigen::Matrix3Xd before = areaNormals(assembly, original), after = areaNormals(assembly, positions);
-	results.push_back({"max_displacement_per_cent", diagonal > 0 ? 100 * moved / diagonal : 0.0, ""});
+	const Eigen::Matrix3Xd before = areaNormals(assembly, assembly.originalPositions),
+						   after = areaNormals(assembly, positions);
 	results.push_back({"folded_faces", countFolded(assembly, before, after), ""});
 	results.push_back({"shrunken_patches", countShrunken(assembly, before, after), ""});
 }
 
 } // namespace
+
+double farthestInPerCent(const PatchAssembly& assembly, const Positions& positions) {
+	double farthest = 0;
+	for (const AssemblyPart& part : partsOf(assembly)) {
+		const Positions& original = part.assembly.originalPositions;
+		const double diagonal = boxDiagonal(original);
+		const double moved = displacementMap(original, positions(Eigen::all, part.wholePlace)).maxCoeff();
+		if (diagonal > 0)
+			farthest = std::max(farthest, 100 * moved / diagonal);
+	}
+	return farthest;
+}
 
 void logWarnings(const FilterCall& call, const Results& results) {
 	for (const Warning& warning : departureWarnings)

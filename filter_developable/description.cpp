@@ -112,7 +112,11 @@ QJsonObject describeAll() {
 		reasons.push_back(entry(static_cast<int>(known.reason), known.name, known.text));
 	for (const Warning& known : departureWarnings)
 		warnings.push_back(QJsonObject{{"key", known.key}, {"limit", known.limit}, {"text", known.text}});
-	return {{"filters", filters}, {"statuses", statuses}, {"reasons", reasons}, {"warnings", warnings}};
+	return {{"filters", filters},
+			{"statuses", statuses},
+			{"reasons", reasons},
+			{"strain_left", strainLeftText},
+			{"warnings", warnings}};
 }
 
 } // namespace

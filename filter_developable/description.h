@@ -12,8 +12,10 @@
 ///                                 none, "minimum_excluded", "automatic": -1 leaves the choice to the filter,
 ///                                 "choices", "only_for_solver": the one that looks at it, or "",
 ///                                 "positive_for_solver": the one that excludes the minimum, or ""}]}],
-///    "statuses": [{"number", "name", "text"}], "reasons": [{"number", "name", "text"}]}
+///    "statuses": [{"number", "name", "text"}], "reasons": [{"number", "name", "text"}], "strain_left": text,
+///    "warnings": [{"key", "limit", "text"}]}
 ///
 /// A reason's text takes the place of the status's where it is not empty; {names} in it stand for results.
+/// What `strain_left` says follows where {edge_strain_left} is above 0 and the reason's text lacks it.
 /// \return  ends with 0; lives as long as the plugin is loaded
 extern "C" Q_DECL_EXPORT const char* developable_description();

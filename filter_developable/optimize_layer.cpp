@@ -90,6 +90,7 @@ void addChanges(Results& results, const PatchAssembly& assembly, const Positions
 	results.push_back({"interior_vertices", assembly.interiorCopyCount(), ""});
 	results.push_back({"deformation_energy", inUnits(energy, 2), ""});
 	results.push_back({"max_displacement", inUnits(displacements.maxCoeff(), 1), ""});
+	results.push_back({"max_displacement_per_cent", farthestInPerCent(assembly, positions), ""});
 	results.push_back({"mean_displacement", inUnits(displacements.mean(), 1), ""});
 	results.push_back({"max_distance", inUnits(distances.maxCoeff(), 1), ""});
 }

@@ -2,6 +2,7 @@
 // results.cpp: how results read in the log.
 #include "results.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -44,8 +45,14 @@ std::string filledIn(std::string text, const Results& results) {
 }
 
 std::string reasonInWords(Status status, Reason reason, const Results& results) {
-	return reason == Reason::AsStatus ? describe(status)
-									  : filledIn(reasonProperties[static_cast<int>(reason)].text, results);
+	std::string text =
+		reason == Reason::AsStatus ? describe(status) : reasonProperties[static_cast<int>(reason)].text;
+	const bool hasStrain = std::any_of(results.begin(), results.end(), [](const Result& result) {
+		return result.key == "edge_strain_left" && std::get<double>(result.value) > 0;
+	});
+	if (hasStrain && reason != Reason::NearlyThere)
+		text += strainLeftText;
+	return filledIn(text, results);
 }
 
 std::string logLine(const Result& result) {

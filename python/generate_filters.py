@@ -123,7 +123,13 @@ def description_text(described: Any) -> str:
         "What there is to say of a status beyond its own text; {names} stand for results of the filter.",
         described["reasons"],
     )
-    return text + warnings_text(described["warnings"])
+    return text + strain_left_text(described["strain_left"]) + warnings_text(described["warnings"])
+
+
+def strain_left_text(text: str) -> str:
+    """What follows a reason where the strain that is left is known."""
+    comment = "# What follows a reason's text where {edge_strain_left} is above 0 and the text lacks it."
+    return f"\n\n{comment}\nSTRAIN_LEFT = {text!r}\n"
 
 
 def warnings_text(warnings: Any) -> str:

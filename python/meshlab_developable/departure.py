@@ -18,8 +18,8 @@ FOLDED = -0.5  # cosine of the angle between the normals of neighbours that lie 
 def departure_of(mesh: Any) -> dict[str, float]:
     """Numbers by the keys of the warnings, of a mesh of pymeshlab's that a filter has made developable.
 
-    The largest displacement in per cent of the diagonal of the original's box; faces at edges whose normals
-    made less than 90 degrees and make more than 120; connected components with less than half of their area.
+    Faces at edges whose normals made less than 90 degrees and make more than 120; connected components with
+    less than half of their area.
     """
     after, faces = mesh.vertex_matrix(), mesh.face_matrix()
     try:
@@ -31,9 +31,6 @@ def departure_of(mesh: Any) -> dict[str, float]:
 
 def departure(before: Array, after: Array, faces: IndexArray) -> dict[str, float]:
     """See `departure_of`. before, after: n x 3. faces: m x 3."""
-    used = np.unique(faces)
-    moved = np.linalg.norm(after[used] - before[used], axis=1).max(initial=0.0)
-    diagonal = np.linalg.norm(np.ptp(before[used], axis=0)) if len(used) else 0.0
     one, other = _neighbours(faces)
     was, is_ = _normals(before, faces), _normals(after, faces)
     sizes = np.linalg.norm(is_, axis=1)
@@ -44,7 +41,6 @@ def departure(before: Array, after: Array, faces: IndexArray) -> dict[str, float
     areas = (np.bincount(parts, np.linalg.norm(normals, axis=1), count) for normals in (was, is_))
     area_before, area_after = areas
     return {
-        "max_displacement_per_cent": float(100 * moved / diagonal) if diagonal > 0 else 0.0,
         "folded_faces": len(np.unique([one[folded], other[folded]])),
         "shrunken_patches": int((area_after < 0.5 * area_before).sum()),
     }

@@ -635,12 +635,16 @@ _REASON_TEXTS = {
 }
 
 
+# What follows a reason's text where {edge_strain_left} is above 0 and the text lacks it.
+STRAIN_LEFT = "; laid flat as it is, no edge changes its length by more than {edge_strain_left} %"
+
+
 # Of an optimisation, by a key of its results: above which value, and what to say.
 WARNINGS = (
     (
         "max_displacement_per_cent",
         5.0,
-        "far from its input: a vertex moved by {max_displacement} units of the mesh, {max_displacement_per_cent} % of the diagonal",
+        "far from its input: a vertex moved by {max_displacement} units of the mesh, {max_displacement_per_cent} % of its part's diagonal",
     ),
     ("folded_faces", 0.0, "{folded_faces} faces are folded over their neighbours"),
     ("shrunken_patches", 0.0, "{shrunken_patches} of {patches} patches lost more than half of their area"),

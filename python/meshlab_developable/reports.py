@@ -7,7 +7,7 @@ import dataclasses
 from collections.abc import Mapping, Sequence
 from typing import Any, Self
 
-from meshlab_developable.description import WARNINGS, Reason, Status
+from meshlab_developable.description import STRAIN_LEFT, WARNINGS, Reason, Status
 
 __all__ = [
     "LocalReport",
@@ -113,6 +113,7 @@ class OptimizationReport(_Report):
     total_absolute_curvature_before_rounding: float
     deformation_energy: float  # E, Eq. 7, length²
     max_displacement: float
+    max_displacement_per_cent: float  # of the diagonal of its part: what shares vertices or is sewn together
     mean_displacement: float
     max_distance: float  # to the original surface
     panels_converged: int
@@ -158,7 +159,11 @@ class OptimizationReport(_Report):
 
 def _reason_in_words(values: Mapping[str, Any]) -> str:
     """What the reason says, or the status where it has nothing to add."""
-    return _filled_in(Reason(values["reason"]).text or Status(values["status"]).text, values)
+    reason = Reason(values["reason"])
+    text = reason.text or Status(values["status"]).text
+    if values.get("edge_strain_left", 0) > 0 and reason is not Reason.NEARLY_THERE:
+        text += STRAIN_LEFT
+    return _filled_in(text, values)
 
 
 def _filled_in(text: str, values: Mapping[str, Any]) -> str:

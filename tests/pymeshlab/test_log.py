@@ -89,7 +89,18 @@ def test_a_result_far_from_its_input_is_warned_of_in_numbers_that_are_true():
     assert share > 5
     (warning,) = (text for text in result.report.warnings if text.startswith("far from its input"))
     assert f"{result.report.max_displacement:.4g} units" in warning
-    assert f"{share:.4g} % of the diagonal" in warning
+    assert f"{share:.4g} % of its part's diagonal" in warning
+
+
+def test_a_small_part_far_from_its_input_is_warned_of_beside_a_large_one():
+    vertices, faces = capped_tube()
+    sheet, more = cylinder()
+    alone = make_developable(vertices, faces).report
+    both = np.vstack([100 * sheet, vertices]), np.vstack([more, faces + len(sheet)])
+    report = make_developable(*both).report
+    assert alone.max_displacement_per_cent > 5
+    assert report.max_displacement_per_cent == alone.max_displacement_per_cent
+    assert report.warnings == alone.warnings
 
 
 def test_a_result_near_its_input_is_not_warned_of():

@@ -29,6 +29,7 @@ COMMON_KEYS = {
     "interior_vertices",
     "deformation_energy",
     "max_displacement",
+    "max_displacement_per_cent",
     "mean_displacement",
     "max_distance",
     "panels_converged",

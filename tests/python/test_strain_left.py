@@ -27,6 +27,8 @@ def test_little_curvature_is_told_as_strain(parameters, status):
     assert strain.max() > 0.005
     assert result.report.edge_strain_left == pytest.approx(100 * strain.max(), rel=1e-6)
     assert flat.report.max_edge_strain == pytest.approx(strain.max(), rel=1e-6)
+    words = f"; laid flat as it is, no edge changes its length by more than {100 * strain.max():.4g} %"
+    assert result.report.reason.endswith(words)
 
 
 def edge_lengths(points, faces):
@@ -40,6 +42,7 @@ def test_much_curvature_is_not():
     report = meshlab_developable.make_developable(vertices, faces, max_displacement=0).report
     assert report.total_absolute_curvature_after > 0.3
     assert report.edge_strain_left == 0
+    assert "laid flat" not in report.reason
 
 
 def test_what_is_nearly_there_says_so_in_words():

@@ -98,6 +98,17 @@ TEST(LargestDisplacement, OfNothingMovesNothingAndSaysHowFarTheNearestIs) {
 	EXPECT_EQ(report.patchVerdicts[0].nearestDevelopable, report.nearestDevelopable);
 }
 
+TEST(LargestDisplacement, OfNextToNothingSaysHowFarTheNearestIs) {
+	const PatchAssembly assembly = assembled(jitteredGrid(16, 16, bumpedCylinder));
+	for (const double share : {1e-14, 1e-10, 1e-8, 1e-6}) {
+		Positions positions;
+		const ConstrainedNewtonReport report =
+			runWithin(assembly, share * boxDiagonal(assembly.originalPositions), positions);
+		EXPECT_EQ(report.reason, Reason::TooFar);
+		EXPECT_GT(report.nearestDevelopable, 1e-3 * boxDiagonal(assembly.originalPositions));
+	}
+}
+
 TEST(LargestDisplacement, LeavesWaysToShapesThatAreNearerThanTheFirstFound) {
 	for (const Surface& surface : {Surface(steepBump), Surface(largeSaddle), Surface(bumpedCylinder)}) {
 		const PatchAssembly assembly = assembled(jitteredGrid(31, 31, surface));

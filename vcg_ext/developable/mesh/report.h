@@ -112,6 +112,10 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	 "do by itself, but hardly with smooth seams and sewn to the others"},
 };
 
+/// What follows a reason's text where {edge_strain_left} is known and the text has not said it.
+inline constexpr const char* strainLeftText =
+	"; laid flat as it is, no edge changes its length by more than {edge_strain_left} %";
+
 /// How one patch ended.
 struct PatchVerdict {
 	Status status = Status::NothingToDo;

@@ -3,6 +3,7 @@
 #include "newton_attempt.h"
 
 #include "continuation.h"
+#include "displacement_metric.h"
 #include "pull_back.h"
 #include "restoration.h"
 #include "return_within_bound.h"
@@ -26,8 +27,7 @@ Positions withoutSymmetry(const NewtonProblem& problem, const Positions& start) 
 	for (int place = 0; place < moved.cols(); ++place)
 		if (problem.assembly().placeFixed[place])
 			moved.col(place) = start.col(place);
-	const bool near = problem.shapeAt(moved).farthest <= problem.goal().farthest;
-	return near && problem.soundness().holds(moved) ? moved : start;
+	return problem.soundness().holds(moved) ? moved : start;
 }
 
 /// A restoration that leads no further: borders may turn as they like now, and triangles that are in the way
@@ -115,7 +115,9 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	result.metLimits = steps.metLimits();
 	result.bordersLimited = !problem.jacobian().bordersFree();
 	result.iterations = run.iterations();
-	result.positions = run.nearest();
+	// Within a bound that is smaller than what breaks the symmetry there may have been no shape on the way.
+	const bool near = farthestMove(problem.assembly(), run.nearest()) <= problem.goal().farthest;
+	result.positions = near ? run.nearest() : start;
 	result.hopeless = hopeless(problem, run);
 	return result;
 }
