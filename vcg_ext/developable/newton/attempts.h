@@ -17,12 +17,13 @@ struct NewtonOutcome {
 	bool bordersLimited = false; ///< found while borders might not kink
 };
 
-/// Up to six attempts from the same start: one that keeps borders from kinking; one that does not; then
-/// triangles that are in the way are made stiffer, too; and patches that end where they are not developable
-/// are tried again with 4, 16 and 64 times the smoothness. Where an attempt takes long and another thread is
-/// at hand, the next begins there already, if it does not depend on how this one ends: what comes of it is
-/// the same. \param smoothness  α \return            the best shape that was found; the start when none is
-/// better
+/// Up to six attempts from the same start: one that keeps borders from kinking; one that does not, unless no
+/// border came to its limit; then triangles that are in the way are made stiffer, too; and patches that end
+/// where they are not developable are tried again with 4, 16 and 64 times the smoothness. Where an attempt
+/// takes long and another thread is at hand, the next begins there already, if it does not depend on how this
+/// one ends: what comes of it is the same.
+/// \param smoothness  α
+/// \return            the developable shape, or the least curved of all attempts; the start when none is better
 NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double smoothness,
 						  int maxIterations, const Progress& progress);
 

@@ -5,7 +5,6 @@
 // of its value, and four times.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -124,10 +123,10 @@ struct NewtonTuning {
 	double workTogether = 0.6; ///< share of it before patches are frozen
 
 	// Runs that only ask whether there is a shape near. On the way from the original to zero curvature the
-	// distance grows: what has come too far is given up. Usually nothing is.
-	/// Share of the bound on displacements that a place may have on the way.
-	double wayFarthest = std::numeric_limits<double>::infinity();
-	double wayMean = std::numeric_limits<double>::infinity(); ///< and all places on average
+	// distance grows: what has come too far is given up.
+	// Never, where they are so large, however small the bound is.
+	double wayFarthest = 1e300; ///< share of the bound on displacements that a place may have on the way
+	double wayMean = 1e300;     ///< and all places on average
 
 	// A start without symmetry.
 	double symmetryBreaking = 1e-4; ///< share of the diagonal
