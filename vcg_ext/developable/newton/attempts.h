@@ -23,7 +23,8 @@ struct NewtonOutcome {
 /// takes long and another thread is at hand, the next begins there already, if it does not depend on how this
 /// one ends: what comes of it is the same.
 /// \param smoothness  α
-/// \return            the developable shape, or the least curved of all attempts; the start when none is better
+/// \return            the developable shape, or the least curved of all attempts; the start when none is
+/// better
 NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double smoothness,
 						  int maxIterations, const Progress& progress);
 

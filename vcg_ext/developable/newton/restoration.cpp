@@ -32,7 +32,8 @@ Ending Restoration::restore() {
 	return Ending::Reached;
 }
 
-/// Slow steps in between are usual, but as many as this have hardly ever led to zero: something is in the way.
+/// Slow steps in between are usual, but as many as this have hardly ever led to zero: something is in the
+/// way.
 bool Restoration::crawls(const std::vector<double>& squares) const {
 	const std::size_t review = problem_.tuning().restorationReview;
 	return squares.size() >= review && run_.shape().scaledDefects.squaredNorm() >
