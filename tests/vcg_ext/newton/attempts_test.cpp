@@ -49,6 +49,42 @@ TEST(Attempts, EndTheSameWhenTheNextBeginsBesideOne) {
 		}
 }
 
+double curvatureOf(const PatchAssembly& assembly, const Positions& positions) {
+	return angleDefects(assembly, positions).cwiseAbs().sum();
+}
+
+TEST(Attempts, KeepTheLeastCurvedShapeOfAll) {
+	for (const double height : {0.5, 0.9}) {
+		const PatchAssembly assembly = assembled(bowl(height));
+		const detail::NewtonOutcome best = attempted(assembly, "1", 0, 1e9, 200);
+		EXPECT_EQ(best.ending, detail::Ending::Stuck);
+		for (const bool limitsBorders : {true, false})
+			for (const bool stiffens : {true, false}) {
+				detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.3}, {}, 0);
+				const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(1, 3e-6);
+				const int steps = limitsBorders ? NewtonTuning().limitedSteps : 200;
+				if (limitsBorders && stiffens)
+					continue; // there is none
+				const detail::AttemptResult one = detail::attempt(
+					problem, assembly.originalPositions, {smoothness, limitsBorders, stiffens, steps}, {});
+				EXPECT_LE(curvatureOf(assembly, best.positions), curvatureOf(assembly, one.positions));
+			}
+	}
+}
+
+TEST(Attempts, LeaveOutTheOneWithoutLimitsWhereNoneWereMet) {
+	const PatchAssembly assembly = assembled(bowl(0.9));
+	const auto stepsOf = [&](double borderTurn, int attempts) {
+		NewtonTuning tuning;
+		tuning.borderTurn = borderTurn;
+		tuning.attempts = attempts;
+		detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.3}, tuning, 0);
+		return detail::attemptFrom(problem, assembly.originalPositions, 3e-6, 1000, {}).iterations;
+	};
+	EXPECT_EQ(stepsOf(360, 1), stepsOf(360, 0));
+	EXPECT_GT(stepsOf(0.1, 1), stepsOf(0.1, 0));
+}
+
 TEST(Attempts, StopAtOnceThoughTheNextIsAtWork) {
 	const PatchAssembly assembly = assembled(bowl(0.9));
 	const ThreadsAllowed allowed("2");

@@ -164,10 +164,28 @@ TEST(ConstrainedNewton, EndsAtTheLeastSquaresWhereHeldPlacesAreInTheWay) {
 	EXPECT_LT(slope(positions), 1e-4 * slope(assembly.originalPositions));
 }
 
+TEST(ConstrainedNewton, ReachesADevelopableShapeNearRoughOnes) {
+	for (const Surface& surface : {Surface(largeSaddle), Surface(vamp), Surface(steepBump), Surface(wave)})
+		expectConverges(assembled(noisy(jitteredGrid(13, 13, surface), 0.26)), 0.1);
+}
+
 /// A sphere with a hole of four triangles.
 TriangleMesh jar() {
 	const TriangleMesh mesh = sphere(1, 3);
 	return makeMesh(mesh.positions, mesh.triangles.rightCols(mesh.triangleCount() - 4));
+}
+
+TEST(ConstrainedNewton, LeavesLessCurvatureByLeastSquares) {
+	const PatchAssembly assembly = assembled(jar());
+	const auto left = [&](int leastSquares) {
+		ConstrainedNewtonOptions options;
+		options.tuning.leastSquares = leastSquares;
+		Positions positions = assembly.originalPositions;
+		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::NeedsCut);
+		expectSound(assembly, positions);
+		return measure(assembly, positions, 1e-4).totalAbsoluteCurvature;
+	};
+	EXPECT_LT(left(1), left(0));
 }
 
 TEST(ConstrainedNewton, SaysThatAShapeWithAShortRimNeedsACut) {

@@ -5,6 +5,11 @@
 namespace developable::test {
 namespace {
 
+TriangleMesh sphereWithoutPole() {
+	const TriangleMesh ball = sphere(1, 2);
+	return makeMesh(ball.positions, ball.triangles.rightCols(ball.triangleCount() - 4));
+}
+
 TEST(Restoration, ReachesTheGoalFromNearby) {
 	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, bumpedCylinder));
 	Positions nearby = expectConverges(assembly, 0.01);
@@ -32,6 +37,25 @@ TEST(Restoration, IsStuckWhereNothingMayMove) {
 			  detail::Ending::Stuck);
 	EXPECT_LT(run.iterations(), 200);
 	EXPECT_LE(run.shape().curvature, run.startCurvature());
+}
+
+TEST(Restoration, EndsWhereItCrawls) {
+	const PatchAssembly assembly = assembled(sphereWithoutPole());
+	const auto stepsOf = [&](double slow) {
+		NewtonTuning tuning;
+		tuning.restorationSlow = slow;
+		detail::NewtonProblem problem(assembly, {1e-4, 1e-4}, tuning, 0);
+		problem.setSmoothness(3e-6);
+		problem.jacobian().freeBorders(true);
+		const Progress silent;
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		detail::GaussNewton steps(problem, run, false);
+		EXPECT_EQ(detail::Restoration(problem, run, steps, 1e-5 * steps.greatestResponse()).restore(),
+				  detail::Ending::Stuck);
+		return run.iterations();
+	};
+	EXPECT_LT(stepsOf(0.5), stepsOf(1));
+	EXPECT_GE(stepsOf(0.5), NewtonTuning().restorationReview);
 }
 
 } // namespace
