@@ -27,7 +27,8 @@ def test_little_curvature_is_told_as_strain(parameters, status):
     assert strain.max() > 0.005
     assert result.report.edge_strain_left == pytest.approx(100 * strain.max(), rel=1e-6)
     assert flat.report.max_edge_strain == pytest.approx(strain.max(), rel=1e-6)
-    words = f"; laid flat as it is, no edge changes its length by more than {result.report.edge_strain_left:.4g} %"
+    left = f"{result.report.edge_strain_left:.4g} %"
+    words = f"; laid flat as it is, no edge changes its length by more than {left}"
     assert result.report.reason.endswith(words)
 
 
