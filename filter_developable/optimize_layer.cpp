@@ -139,8 +139,7 @@ Optimized optimizeLayer(FilterCall& call, const Method& method) {
 	const std::optional<double> strain = strainLeft(assembly, result.positions, panels);
 	if (report.reason == Reason::NeedsCut && strain && *strain < smallStrain)
 		report.reason = Reason::NearlyThere;
-	constexpr double roundingStrain = 1e-9; // per cent: less is none
-	results.push_back({"edge_strain_left", strain && *strain > roundingStrain ? *strain : 0.0, ""});
+	results.push_back({"edge_strain_left", strain.value_or(0), ""});
 	addReason(results, report);
 	const std::string reason = reasonInWords(report.status, report.reason, results);
 	results.push_back({"status", static_cast<int>(report.status),

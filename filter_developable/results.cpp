@@ -50,7 +50,8 @@ std::string reasonInWords(Status status, Reason reason, const Results& results) 
 	const bool hasStrain = std::any_of(results.begin(), results.end(), [](const Result& result) {
 		return result.key == "edge_strain_left" && std::get<double>(result.value) > 0;
 	});
-	if (hasStrain && reason != Reason::NearlyThere)
+	// Where the curvature is gone there is no strain but rounding.
+	if (hasStrain && reason != Reason::NearlyThere && reason != Reason::BorderOverlaps)
 		text += strainLeftText;
 	return filledIn(text, results);
 }

@@ -161,7 +161,9 @@ def _reason_in_words(values: Mapping[str, Any]) -> str:
     """What the reason says, or the status where it has nothing to add."""
     reason = Reason(values["reason"])
     text = reason.text or Status(values["status"]).text
-    if values.get("edge_strain_left", 0) > 0 and reason is not Reason.NEARLY_THERE:
+    # Where the curvature is gone there is no strain but rounding.
+    said = reason in (Reason.NEARLY_THERE, Reason.BORDER_OVERLAPS)
+    if values.get("edge_strain_left", 0) > 0 and not said:
         text += STRAIN_LEFT
     return _filled_in(text, values)
 
