@@ -13,7 +13,7 @@ from shapes import bump
 @pytest.mark.parametrize(
     ("parameters", "status"),
     [
-        ({"max_displacement": 0.032}, Status.NEEDS_CUT),
+        ({"max_displacement": 0.0285}, Status.NEEDS_CUT),
         ({"max_iterations": 5}, Status.LIMIT_REACHED),
     ],
 )

@@ -59,7 +59,7 @@ public:
 		: problem_(problem), start_(start), maxIterations_(maxIterations), progress_(progress),
 		  smoothness_(Eigen::VectorXd::Constant(problem.assembly().patchCount(), smoothness)),
 		  startDefects_(flatDefects(problem.assembly(), start)), leastDefects_(startDefects_) {
-		best_.positions = start;
+		best_.positions = best_.unlimited = start;
 		best_.smoothness = smoothness;
 	}
 
@@ -179,6 +179,8 @@ bool Attempts::withoutLimits(int i) {
 	if (best_.ending == Ending::Stopped)
 		return true;
 	keepIfBest(result);
+	if (i == 0)
+		best_.unlimited = result.positions;
 	const bool smootherLeadsFarther = best_.nearestDevelopable > 0 && i > 0;
 	if (best_.ending != Ending::Stuck || smootherLeadsFarther || problem_.budget().spent() || result.hopeless)
 		return true;

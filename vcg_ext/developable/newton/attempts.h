@@ -15,6 +15,7 @@ struct NewtonOutcome {
 	/// How far the nearest developable shape found moves a place, where that is too far, length; else 0.
 	double nearestDevelopable = 0;
 	bool bordersLimited = false; ///< found while borders might not kink
+	Positions unlimited = {};    ///< what the first attempt without limits on borders came to
 };
 
 /// Up to six attempts from the same start: one that keeps borders from kinking; one that does not, unless no

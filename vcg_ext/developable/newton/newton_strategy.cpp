@@ -184,22 +184,31 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 				  partOf(progress, coarseShare, 1, announcement));
 }
 
-/// Where there is no way to g = 0, steps along the normals go on to the least squares of it.
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
 											const Progress& progress) const {
-	const PatchAssembly& assembly = level.assembly;
-	const std::unique_ptr<NewtonProblem> own = problemOf(level);
-	NewtonProblem& problem = *own;
-	NewtonOutcome outcome = attemptFrom(problem, start, smoothness_, maxIterations_, progress);
-	const bool hemmedIn = holdsPlaces(assembly) || outcome.nearestDevelopable > 0;
+	const std::unique_ptr<NewtonProblem> problem = problemOf(level);
+	NewtonOutcome outcome = attemptFrom(*problem, start, smoothness_, maxIterations_, progress);
+	const bool tooFar = outcome.nearestDevelopable > 0;
+	const bool hemmedIn = tooFar || holdsPlaces(level.assembly);
 	const bool wanted = tuning_.leastSquares > 0 && (hemmedIn || !budget_->spent());
-	const int stepsLeft = maxIterations_ - outcome.iterations;
-	const int steps = hemmedIn ? stepsLeft : std::min(stepsLeft, tuning_.leastSquaresSteps);
-	if (outcome.ending != Ending::Stuck || !wanted || steps <= 0)
+	if (outcome.ending != Ending::Stuck || !wanted)
 		return outcome;
+	const int few = std::min(maxIterations_, tuning_.leastSquaresSteps);
+	const int steps = hemmedIn ? std::max(few, maxIterations_ - outcome.iterations) : few;
+	goOnToLeastSquares(*problem, Positions(outcome.positions), steps, outcome, progress);
+	// The least curved may be where borders had to heed limits and the bound at once: a bad start.
+	if (tooFar && outcome.ending == Ending::Stuck)
+		goOnToLeastSquares(*problem, Positions(outcome.unlimited), steps, outcome, progress);
+	return outcome;
+}
+
+/// Where there is no way to g = 0, steps along the normals go on to the least squares of it.
+void NewtonStrategy::goOnToLeastSquares(NewtonProblem& problem, const Positions& from, int steps,
+										NewtonOutcome& outcome, const Progress& progress) const {
+	const PatchAssembly& assembly = problem.assembly();
 	problem.setSmoothness(smoothness_);
 	problem.jacobian().freeBorders(true);
-	NewtonRun run(problem, outcome.positions, steps, progress);
+	NewtonRun run(problem, from, steps, progress);
 	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	outcome.iterations += run.iterations();
 	if (lessCurved(assembly, flatDefects(assembly, run.shape().positions),
@@ -208,7 +217,6 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 	// Least squares are approached slowly: to run out of steps there is no more than to be stuck.
 	if (ending != Ending::OutOfSteps)
 		outcome.ending = ending;
-	return outcome;
 }
 
 /// \param displacement  of the places, from the coarser level

@@ -54,6 +54,10 @@ private:
 	bool descends(const Level& level) const;
 	NewtonStrategy coarser(bool fairerElsewhere) const;
 	NewtonOutcome solveCoarsest(const Level& level, const Positions& start, const Progress& progress) const;
+	/// \param steps    at most
+	/// \param outcome  becomes what comes of it, where that is less curved
+	void goOnToLeastSquares(NewtonProblem& problem, const Positions& from, int steps, NewtonOutcome& outcome,
+							const Progress& progress) const;
 	NewtonOutcome refine(const Level& level, NewtonProblem& problem, const Positions& displacement,
 						 const NewtonOutcome& coarse, const Progress& progress) const;
 
