@@ -16,6 +16,6 @@
 ///    "warnings": [{"key", "limit", "text"}]}
 ///
 /// A reason's text takes the place of the status's where it is not empty; {names} in it stand for results.
-/// What `strain_left` says follows where {edge_strain_left} is above 0 and the reason's text lacks it.
-/// \return  ends with 0; lives as long as the plugin is loaded
+/// What `strain_left` says follows where {edge_strain_left} is above 0, the reason's text lacks it, and there
+/// is curvature left that it comes of. \return  ends with 0; lives as long as the plugin is loaded
 extern "C" Q_DECL_EXPORT const char* developable_description();

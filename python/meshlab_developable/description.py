@@ -635,7 +635,7 @@ _REASON_TEXTS = {
 }
 
 
-# What follows a reason's text where {edge_strain_left} is above 0 and the text lacks it.
+# Follows a reason's text where {edge_strain_left} is above 0 and says more than that.
 STRAIN_LEFT = "; laid flat as it is, no edge changes its length by more than {edge_strain_left} %"
 
 

@@ -2,7 +2,7 @@
 """Imports pymeshlab, and says in words which libraries of the system it lacks."""
 
 try:
-    import pymeshlab  # noqa: F401
+    import pymeshlab  # noqa: F401 - to see whether it can be
 except ImportError as error:
     if "shared object" not in str(error):
         raise

@@ -65,7 +65,7 @@ public:
 	double descend(const Positions& direction, const Merit& merit, double slope, int halvings,
 				   double farthest = std::numeric_limits<double>::infinity());
 
-	/// The last shape that was within the bound on displacements; at first the start, which has to be.
+	/// The last shape that was within the bound on displacements; at first the start, even if that is not.
 	const Positions& nearest() const { return lastNear_; }
 
 	/// It led to a developable shape, but farther away than places may go.

@@ -25,14 +25,9 @@ CutOptions optionsOf(const CanonicalForm& form, const CutOptions& options) {
 	return result;
 }
 
-/// Per patch of what was given, from those of its form.
-std::vector<double> limitsGiven(const CanonicalForm& form, const GivenPatches& given,
-								const std::vector<double>& limits) {
-	const PatchAssembly from = assemblePatches(form.patches().mesh, {}), to = assemblePatches(given.mesh, {});
-	std::vector<double> result(to.patchCount());
-	for (int t = 0; t < from.triangleCount(); ++t)
-		result[to.patchOfTriangle[form.trianglesGiven()[t]]] = form.inGiven(limits[from.patchOfTriangle[t]]);
-	return result;
+PanelPlan planOf(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
+	return {given, displacementLimits(assemblePatches(given.mesh, {}), options.maxDisplacement), options,
+			progress};
 }
 
 /// Panels are found on the canonical form of what was given, and judged on both. They may move a little less
@@ -41,7 +36,7 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 	constexpr double lessRoom = 0.999;
 	const CanonicalForm form(given);
 	std::vector<double> limits = displacementLimits(form, options.maxDisplacement);
-	PanelPlan here(given, limitsGiven(form, given, limits), options, progress);
+	PanelPlan here = planOf(given, options, progress);
 	for (double& limit : limits)
 		limit *= lessRoom;
 	const auto find = options.symmetric ? findSymmetricPanels : findPanels;
@@ -57,14 +52,16 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 	return result;
 }
 
-CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
-	if (options.symmetric || given.mesh.triangleCount() <= mostTrianglesOfForms)
-		return cutForm(given, options, progress);
-	PanelPlan plan(given, displacementLimits(assemblePatches(given.mesh, {}), options.maxDisplacement),
-				   options, progress);
+CutResult cutAsItIs(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
+	PanelPlan plan = planOf(given, options, progress);
 	plan.search(ClusterOptions().greatestDeviation);
 	plan.explain();
 	return plan.result();
+}
+
+CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
+	const bool asForm = options.symmetric || given.mesh.triangleCount() <= mostTrianglesOfForms;
+	return (asForm ? cutForm : cutAsItIs)(given, options, progress);
 }
 
 } // namespace

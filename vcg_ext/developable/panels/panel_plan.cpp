@@ -3,6 +3,7 @@
 #include "panel_plan.h"
 
 #include "cut_report.h"
+#include "displacement_limits.h"
 #include "first_panels.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
@@ -14,6 +15,8 @@
 #include "small_panels.h"
 #include "taken_back_joins.h"
 
+#include "developable/newton/newton_tuning.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,19 +24,38 @@
 
 namespace developable::detail {
 
+namespace {
+
+/// As the constrained Newton method will prefer it where the user runs it. Limits by default are the same
+/// along any axes, and so what is preferred is here.
+double preferredMove(const PatchAssembly& assembly, const std::vector<double>& limits,
+					 const CutOptions& options) {
+	const double share = NewtonTuning().preferredMove;
+	if (options.maxDisplacement >= 0)
+		return share;
+	const std::vector<double> alongAxes = displacementLimits(assembly, options.maxDisplacement);
+	double least = 1;
+	for (std::size_t patch = 0; patch < limits.size(); ++patch)
+		least = std::min(least, limits[patch] / alongAxes[patch]);
+	return least * share;
+}
+
+} // namespace
+
 PanelPlan::PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
 					 const Progress& progress)
 	: options_(options), given_(given),
 	  limits_(std::move(limits)), planned_{given_.mesh, given_.origins,
 										   CutSurface(assemblePatches(given_.mesh, {}))} {
 	tests_ = std::make_unique<PanelTests>(limits_, options_.material, progress);
+	preferredMove_ = preferredMove(planned_.surface.assembly(), limits_, options_);
 }
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
 	--sewingsLeft_;
 	sewnWork_ += planned_.mesh.triangleCount();
 	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, limits_,
-							 options_.material, brief, progressOfRest());
+							 options_.material, preferredMove_, brief, progressOfRest());
 }
 
 /// Sewn together, panels pull at each other.

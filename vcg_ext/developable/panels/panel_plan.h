@@ -64,6 +64,7 @@ private:
 	const CutOptions options_;
 	const GivenPatches given_;
 	const std::vector<double> limits_; // per patch
+	double preferredMove_ = 0;         // of a run of all that are sewn together, share of the diagonal
 	PlannedSurface planned_;
 	SewnPanels sewn_; // what becomes of it
 	std::unique_ptr<PanelTests> tests_;

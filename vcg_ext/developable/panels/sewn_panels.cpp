@@ -193,7 +193,7 @@ std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn) {
 
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
-							 bool brief, const Progress& progress) {
+							 double preferredMove, bool brief, const Progress& progress) {
 	const PatchAssembly assembly = assemblePatches(mesh, {});
 	SewnPanels result;
 	result.panels.resize(surface.panelCount());
@@ -202,6 +202,7 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
 	const std::vector<double> limits = limitsOfPanels(surface, maxDisplacement);
 	ConstrainedNewtonOptions options;
+	options.tuning.preferredMove = preferredMove;
 	if (brief)
 		options.tuning.attempts = 1;
 	Positions positions = assembly.originalPositions;

@@ -41,9 +41,10 @@ bool wantsDart(const CutPanel& panel);
 ///                         the order of vertices; its `face` are triangles of the surface
 /// \param maxDisplacement  per patch of the surface
 /// \param material         without any strain all have to become developable
+/// \param preferredMove    see NewtonTuning, share of the diagonal
 /// \param brief            a run that gives up early
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
-							 bool brief, const Progress& progress);
+							 double preferredMove, bool brief, const Progress& progress);
 
 } // namespace developable::detail

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of panels that are sewn together stays within what is preferred, where that is easy.
+#include "developable/panels/sewn_panels.h"
+
+#include "developable/panels/planned_surface.h"
+#include "panel_shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+using detail::GivenPatches;
+using detail::PlannedSurface;
+using detail::SewnPanels;
+
+TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
+	const GivenPatches given = detail::separatePatches(jitteredGrid(25, 25, steepBump), {});
+	const PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 2))};
+	const TriangleMesh cut = detail::meshAsCut(planned, given.vertexTaken);
+	const double diagonal = boxDiagonal(given.mesh.positions);
+	const auto sewn = [&](double preferredMove) {
+		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, preferredMove, true, {});
+	};
+	const double farthest = sewn(1).maxDisplacement;
+	const double preferred = 0.97 * farthest;
+	const SewnPanels within = sewn(preferred / diagonal);
+	EXPECT_EQ(detail::worstOf(within), -1);
+	EXPECT_LE(within.maxDisplacement, preferred);
+	EXPECT_GT(within.maxDisplacement, preferred / 2);
+}
+
+/// Limits by default are of the smallest box, and what is preferred has to be the same however a surface is
+/// turned: panels that hold end within the limit of any.
+TEST(CutIntoPanels, keepsTheDefaultLimitOfTheSmallestBoxWhereverItLies) {
+	TriangleMesh mesh = sphere(1, 2);
+	for (auto point : mesh.positions.colwise()) // a rounded box, whose slanted boxes are much larger
+		point /= std::pow(point.cwiseAbs().maxCoeff(), 0.7);
+	mesh.positions.row(0) *= 1.5;
+	const double diagonal = boxDiagonal(mesh.positions);
+	const CutReport straight = cutIntoPanels(mesh, {}, {}).report;
+	mesh.positions = Eigen::Quaterniond(0.8, 0.2, -0.4, 0.4).normalized().toRotationMatrix() * mesh.positions;
+	ASSERT_GT(std::abs(boxDiagonal(mesh.positions) / diagonal - 1), 0.05);
+	const CutReport slanted = cutIntoPanels(mesh, {}, {}).report;
+	EXPECT_EQ(slanted.panels.size(), straight.panels.size());
+	EXPECT_LE(slanted.maxDisplacement, 0.02 * boxDiagonal(mesh.positions));
+	EXPECT_EQ(straight.status, Status::Converged);
+	EXPECT_LE(straight.maxDisplacement, 0.02 * diagonal);
+}
+
+} // namespace
+} // namespace developable::test
