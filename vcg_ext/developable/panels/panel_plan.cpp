@@ -15,7 +15,7 @@
 #include "small_panels.h"
 #include "taken_back_joins.h"
 
-#include "developable/newton/newton_tuning.h"
+#include "developable/newton/constrained_newton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ namespace {
 /// along any axes, and so what is preferred is here.
 double preferredMove(const PatchAssembly& assembly, const std::vector<double>& limits,
 					 const CutOptions& options) {
-	const double share = NewtonTuning().preferredMove;
+	const double share = ConstrainedNewtonOptions().tuning.preferredMove;
 	if (options.maxDisplacement >= 0)
 		return share;
 	const std::vector<double> alongAxes = displacementLimits(assembly, options.maxDisplacement);
