@@ -128,7 +128,7 @@ def description_text(described: Any) -> str:
 
 def strain_left_text(text: str) -> str:
     """What follows a reason where the strain that is left is known."""
-    comment = "# Follows a reason's text where {edge_strain_left} is above 0 and says more than that."
+    comment = "# Follows a reason's text that lacks it, where {edge_strain_left} comes of curvature left."
     return f"\n\n{comment}\nSTRAIN_LEFT = {text!r}\n"
 
 

@@ -635,7 +635,7 @@ _REASON_TEXTS = {
 }
 
 
-# Follows a reason's text where {edge_strain_left} is above 0 and says more than that.
+# Follows a reason's text that lacks it, where {edge_strain_left} comes of curvature left.
 STRAIN_LEFT = "; laid flat as it is, no edge changes its length by more than {edge_strain_left} %"
 
 
