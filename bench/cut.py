@@ -41,7 +41,8 @@ def main() -> None:
 
 def measured(path: Path, parameters: dict[str, Any]) -> list[object]:
     """The row of a mesh, but for its name."""
-    mesh = mesh_sets.open_mesh(path).current_mesh()
+    meshes = mesh_sets.open_mesh(path)  # a mesh dies with its set
+    mesh = meshes.current_mesh()
     vertices, faces = np.array(mesh.vertex_matrix()), np.array(mesh.face_matrix())
     diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
     start = time.perf_counter()

@@ -88,7 +88,8 @@ def _piece_allowances(texts: Sequence[str]) -> dict[str, dict[str, float]]:
 
 def _question_of_unit(mesh: Path) -> str:
     """What to say where the unit is missing: how large the model would be in each of the common ones."""
-    box = mesh_sets.open_mesh(mesh).current_mesh().bounding_box()
+    meshes = mesh_sets.open_mesh(mesh)  # a mesh dies with its set
+    box = meshes.current_mesh().bounding_box()
     size = " x ".join(f"{side:.4g}" for side in box.max() - box.min())
     sizes = ", ".join(f"{size} {name}" for name in ("mm", "cm", "m", "inches"))
     return (
