@@ -7,7 +7,7 @@
 
 namespace developable {
 
-void PermutedLower::permute(const Eigen::SparseMatrix<double>& lower, const int* order) {
+void PermutedLower::permute(const SparseMatrix& lower, const int* order) {
 	if (!hasPattern(lower))
 		findSources(lower, order);
 	const double* const numbers = lower.valuePtr();
@@ -16,14 +16,14 @@ void PermutedLower::permute(const Eigen::SparseMatrix<double>& lower, const int*
 				   [numbers](int source) { return numbers[source]; });
 }
 
-bool PermutedLower::hasPattern(const Eigen::SparseMatrix<double>& lower) const {
+bool PermutedLower::hasPattern(const SparseMatrix& lower) const {
 	return std::equal(columnStarts_.begin(), columnStarts_.end(), lower.outerIndexPtr(),
 					  lower.outerIndexPtr() + lower.cols() + 1) &&
 		   std::equal(rows_.begin(), rows_.end(), lower.innerIndexPtr(),
 					  lower.innerIndexPtr() + lower.nonZeros());
 }
 
-void PermutedLower::findSources(const Eigen::SparseMatrix<double>& lower, const int* order) {
+void PermutedLower::findSources(const SparseMatrix& lower, const int* order) {
 	columnStarts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
 	rows_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
 	std::vector<int> places(lower.nonZeros());

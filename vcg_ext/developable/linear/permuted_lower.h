@@ -2,7 +2,8 @@
 // permuted_lower.h: the lower triangle of a symmetric matrix in another order of its rows and columns.
 #pragma once
 
-#include <Eigen/SparseCore>
+#include "sparse_cholesky.h"
+
 #include <vector>
 
 namespace developable {
@@ -13,17 +14,17 @@ class PermutedLower {
 public:
 	/// \param lower  of it only the lower triangle is read; compressed
 	/// \param order  per new row the old one
-	void permute(const Eigen::SparseMatrix<double>& lower, const int* order);
+	void permute(const SparseMatrix& lower, const int* order);
 
 	/// What was permuted last: a lower triangle whose columns are in no order.
-	Eigen::Map<const Eigen::SparseMatrix<double>> matrix() const {
+	Eigen::Map<const SparseMatrix> matrix() const {
 		return {sources_.rows(),          sources_.cols(),          sources_.nonZeros(),
 				sources_.outerIndexPtr(), sources_.innerIndexPtr(), numbers_.data()};
 	}
 
 private:
-	bool hasPattern(const Eigen::SparseMatrix<double>& lower) const;
-	void findSources(const Eigen::SparseMatrix<double>& lower, const int* order);
+	bool hasPattern(const SparseMatrix& lower) const;
+	void findSources(const SparseMatrix& lower, const int* order);
 
 	std::vector<int> columnStarts_, rows_; // of the matrix that the sources are for
 	Eigen::SparseMatrix<int> sources_;     // per new entry the old one's place among the stored numbers

@@ -30,6 +30,7 @@ public:
 	bool positiveDefinite() const { return info() == Eigen::Success; }
 
 	void findOrder(const SparseMatrix& matrix) {
+		permuted_ = {};
 		forgetOutOfMemory();
 		analyzePattern(matrix);
 		requireMemory();
@@ -37,10 +38,12 @@ public:
 
 	void findNumbers(const SparseMatrix& matrix) {
 		const DenseThreads threads(threadsAtHand());
+		forgetOutOfMemory();
 		if (matrix.isCompressed() && matrix.nonZeros() < largeMatrix)
-			findNumbersInOrder(matrix);
+			factorizePermuted(matrix);
 		else
-			findNumbersInAnyOrder(matrix);
+			factorize(matrix);
+		requireMemory();
 	}
 
 	/// Of any number of columns. CHOLMOD finds all it works with allocated: it would not notice if the first
@@ -66,22 +69,14 @@ public:
 private:
 	static constexpr Eigen::Index largeMatrix = 2000000; ///< its places would take too much memory
 
-	/// Of a matrix that is in the order of elimination already. CHOLMOD would permute it twice, anew each
-	/// time, which is up to a quarter of the work on a small matrix.
-	void findNumbersInOrder(const SparseMatrix& matrix) {
+	/// Hands the matrix over in the order of elimination. CHOLMOD would permute it twice, anew each time,
+	/// which is up to a quarter of the work on a small one.
+	void factorizePermuted(const SparseMatrix& matrix) {
 		permuted_.permute(matrix, static_cast<const int*>(m_cholmodFactor->Perm));
 		cholmod_sparse view = viewOf(permuted_.matrix());
 		double noShift[] = {0, 0};
-		forgetOutOfMemory();
 		cholmod_super_numeric(&view, nullptr, noShift, m_cholmodFactor, &cholmod());
-		requireMemory();
 		m_info = m_cholmodFactor->minor == m_cholmodFactor->n ? Eigen::Success : Eigen::NumericalIssue;
-	}
-
-	void findNumbersInAnyOrder(const SparseMatrix& matrix) {
-		forgetOutOfMemory();
-		factorize(matrix);
-		requireMemory();
 	}
 
 	/// \throws std::bad_alloc  when CHOLMOD has had too little memory since it was forgotten
