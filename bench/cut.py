@@ -3,7 +3,8 @@
 
 `bash bench/run.sh cut FOLDER [name=value...]`, with parameters of the filter. Seams and distances are shares
 of the diagonal D of the input's box; distances are from the result's vertices to the input's surface. Beside
-it the charts of xatlas with its defaults, on the same mesh: how many, and how long their seams are.
+it how long seams are beside smooth curves, and the charts of xatlas with its defaults, on the same mesh: how
+many, and how long their seams are.
 """
 
 from __future__ import annotations
@@ -19,11 +20,13 @@ import trimesh
 import xatlas
 from common import print_head, print_row
 from meshlab_developable import mesh_sets
+from smooth_curves import seams_beside_smooth_curves
 
 SUFFIXES = {".obj", ".ply", ".off", ".stl"}
 HEAD = (
     "mesh", "triangles", "panels", "darts", "seams, D", "mean distance, %", "largest, %", "C, rad",
-    "largest strain", "overlapping", "s", "xatlas charts", "xatlas seams, D",
+    "largest strain", "overlapping", "s", "seams / smooth curves", "worst", "xatlas charts",
+    "xatlas seams, D",
 )  # fmt: skip
 
 
@@ -52,6 +55,10 @@ def measured(path: Path, parameters: dict[str, Any]) -> list[object]:
     flat = meshlab_developable.flatten(developed.vertices, developed.faces)
     surface = trimesh.Trimesh(vertices, faces, process=False)
     distances = trimesh.proximity.closest_point(surface, developed.vertices)[1] / diagonal
+    sides = vertices[faces] - vertices[np.roll(faces, -1, axis=1)]
+    smooth = seams_beside_smooth_curves(
+        meshlab_developable.flatten(cut.vertices, cut.faces), float(np.linalg.norm(sides, axis=2).mean())
+    )
     charts, seams = xatlas_charts(vertices, faces)
     return [
         len(faces),
@@ -64,6 +71,7 @@ def measured(path: Path, parameters: dict[str, Any]) -> list[object]:
         f"{flat.report.max_edge_strain:.1e}",
         flat.report.overlapping_pieces,
         f"{seconds:.1f}",
+        *(f"{ratio:.3f}" for ratio in smooth),
         charts,
         f"{seams / diagonal:.2f}",
     ]

@@ -34,11 +34,14 @@ TEST(SeamDrawing, isSmootherWhereItMayBe) {
 	const PlannedSurface planned = sheetWithWave(labels);
 	SeamDrawing drawing(planned, labels, {}, {});
 	const PlannedSurface safe = drawing.drawn();
-	drawing.smoothen();
+	drawing.draw(SeamDrawing::Manner::Taut);
+	const PlannedSurface taut = drawing.drawn();
+	drawing.draw(SeamDrawing::Manner::Smooth);
 	const PlannedSurface smooth = drawing.drawn();
 	EXPECT_LT(seamLength(safe.surface), seamLength(planned.surface));
+	EXPECT_LT(seamLength(taut.surface), 0.97 * seamLength(safe.surface));
 	EXPECT_LT(seamLength(smooth.surface), 0.97 * seamLength(safe.surface));
-	for (const PlannedSurface* drawn : {&safe, &smooth}) {
+	for (const PlannedSurface* drawn : {&safe, &taut, &smooth}) {
 		EXPECT_EQ(drawn->surface.usedPanelCount(), 2);
 		EXPECT_NEAR(area(drawn->surface), 1, 1e-12);
 	}

@@ -30,6 +30,24 @@ TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
 	EXPECT_GT(within.maxDisplacement, preferred / 2);
 }
 
+/// Seams have to change at both places that lie upon each other, or it would be chance that it helps.
+TEST(SewnPanels, overlapsAreWorstAtBothPlaces) {
+	SewnPanels sewn;
+	sewn.panels.resize(3);
+	for (CutPanel& panel : sewn.panels) {
+		panel.triangles = 10;
+		panel.developable = true;
+	}
+	EXPECT_TRUE(worstPoints(sewn).empty());
+	const Eigen::Vector3d one(1, 2, 3), other(4, 5, 6);
+	sewn.panels[1].developable = false;
+	sewn.panels[1].reason = Reason::NeedsCut;
+	sewn.panels[1].worstPoint = one;
+	EXPECT_EQ(worstPoints(sewn), std::vector<Eigen::Vector3d>({one}));
+	sewn.overlaps[1] = {one, other};
+	EXPECT_EQ(worstPoints(sewn), std::vector<Eigen::Vector3d>({one, other}));
+}
+
 /// Limits by default are of the smallest box, and what is preferred has to be the same however a surface is
 /// turned: panels that hold end within the limit of any.
 TEST(CutIntoPanels, keepsTheDefaultLimitOfTheSmallestBoxWhereverItLies) {

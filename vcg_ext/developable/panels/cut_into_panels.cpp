@@ -45,7 +45,10 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 	result.report.status = Status::Stopped;
 	if (found.stopped)
 		return result;
-	here.takeOver(form.carriedBack(found.planned), found.hold);
+	std::vector<PlannedSurface> carried;
+	for (const PlannedSurface& planned : found.planned)
+		carried.push_back(form.carriedBack(planned));
+	here.takeOver(carried, found.hold);
 	here.explain();
 	result = here.result();
 	result.report.notes.insert(result.report.notes.end(), found.notes.begin(), found.notes.end());
@@ -54,7 +57,14 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 
 CutResult cutAsItIs(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
 	PanelPlan plan = planOf(given, options, progress);
-	plan.search(ClusterOptions().greatestDeviation);
+	FoundPanels found =
+		findPanels(given, displacementLimits(assemblePatches(given.mesh, {}), options.maxDisplacement),
+				   options, progress);
+	CutResult result;
+	result.report.status = Status::Stopped;
+	if (found.stopped)
+		return result;
+	plan.takeOver(std::move(found.planned.front()), std::move(found.sewn));
 	plan.explain();
 	return plan.result();
 }

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace developable::detail {
 
@@ -16,11 +18,23 @@ constexpr double deviations[] = {0.15, 0.25, 0.08}; ///< of clusters; see Cluste
 constexpr double littleWork = 3e5;                  ///< triangles, which take seconds
 
 bool isBetter(const FoundPanels& a, const FoundPanels& b) {
-	const int panels = a.planned.surface.usedPanelCount(), otherPanels = b.planned.surface.usedPanelCount();
+	const CutSurface &first = a.planned.front().surface, &second = b.planned.front().surface;
+	const int panels = first.usedPanelCount(), otherPanels = second.usedPanelCount();
 	if (a.hold != b.hold)
 		return a.hold;
-	return panels != otherPanels ? panels < otherPanels
-								 : seamLength(a.planned.surface) < seamLength(b.planned.surface);
+	return panels != otherPanels ? panels < otherPanels : seamLength(first) < seamLength(second);
+}
+
+FoundPanels foundBy(const PanelPlan& plan, bool hold) {
+	return {plan.found(), plan.sewn(), hold, plan.stopped(), {}};
+}
+
+/// The better of two first, the other behind it.
+void addSearch(FoundPanels& found, FoundPanels next) {
+	if (isBetter(next, found))
+		std::swap(found, next);
+	if (next.hold)
+		found.planned.insert(found.planned.end(), next.planned.begin(), next.planned.end());
 }
 
 std::string perCent(double share) {
@@ -33,21 +47,22 @@ std::string perCent(double share) {
 
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress) {
-	std::vector<FoundPanels> found;
+	std::optional<FoundPanels> found;
 	double work = 0;
 	for (const double deviation : deviations) {
 		PanelPlan plan(patches, limits, options, progress);
 		const bool hold = plan.search(deviation);
-		FoundPanels next{plan.planned(), hold, plan.stopped(), {}};
-		if (found.empty() || next.stopped || isBetter(next, found.front())) {
-			found.clear();
-			found.push_back(std::move(next));
-		}
+		if (plan.stopped())
+			return foundBy(plan, hold);
+		if (found)
+			addSearch(*found, foundBy(plan, hold));
+		else
+			found = foundBy(plan, hold);
 		work += plan.work();
-		if (plan.stopped() || work > littleWork || seamChains(plan.planned().surface).empty())
+		if (work > littleWork || seamChains(plan.planned().surface).empty())
 			break;
 	}
-	return std::move(found.front());
+	return std::move(*found);
 }
 
 FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,
@@ -63,7 +78,7 @@ FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<d
 	}
 	PanelPlan plan(patches, limits, options, progress);
 	const SymmetricOutcome outcome = plan.searchSymmetric(plane);
-	FoundPanels found{plan.planned(), outcome != SymmetricOutcome::Fails, plan.stopped(), {}};
+	FoundPanels found = foundBy(plan, outcome != SymmetricOutcome::Fails);
 	if (outcome != SymmetricOutcome::Pairs)
 		found.notes.emplace_back(
 			"Not all panels mirror each other: what did not hold among the others had to be "

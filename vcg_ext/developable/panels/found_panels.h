@@ -4,12 +4,15 @@
 
 #include "cut_into_panels.h"
 #include "planned_surface.h"
+#include "sewn_panels.h"
 
 namespace developable::detail {
 
 struct FoundPanels {
-	PlannedSurface planned;
-	bool hold = false; ///< when they are sewn together
+	/// The best first, others that may do where that does not hold; not empty.
+	std::vector<PlannedSurface> planned;
+	SewnPanels sewn;   ///< what becomes of the best
+	bool hold = false; ///< whether they do when they are sewn together
 	bool stopped = false;
 	std::vector<std::string> notes; ///< as in CutReport
 };

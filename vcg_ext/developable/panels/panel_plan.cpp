@@ -9,6 +9,7 @@
 #include "panel_joining.h"
 #include "seam_drawing.h"
 #include "seam_reasons.h"
+#include "seam_smoothing.h"
 #include "selected_whole.h"
 #include "sewn_panels.h"
 #include "sewn_relief.h"
@@ -187,30 +188,13 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 		.relieved(std::move(sewn));
 }
 
-/// Smooth seams move a little: first as little as can be, and where that holds as much as holds.
 SewnPanels PanelPlan::smoothSeams() {
-	const PlannedSurface before = planned_;
-	SeamDrawing drawing(before, clusters_, dartTips_, options_);
-	planned_ = drawing.drawn();
-	SewnPanels sewn = relieved(sewTogether(true));
-	const auto holds = [&](const SewnPanels& panels) {
-		return planned_.surface.usedPanelCount() <= before.surface.usedPanelCount() && worstOf(panels) < 0;
-	};
-	constexpr int rounds = 4;
-	drawing.smoothen();
-	for (int round = 0; round < rounds && !tests_->stopped() && holds(sewn) && sewingsLeft_ > 0; ++round) {
-		const PlannedSurface safe = std::exchange(planned_, drawing.drawn());
-		SewnPanels smoother = sewTogether(true);
-		if (holds(smoother))
-			return smoother;
-		std::vector<Eigen::Vector3d> worst = worstPoints(smoother);
-		for (std::size_t i = 0, count = worst.size(); i < count && mirror_ != nullptr; ++i)
-			worst.push_back(mirror_->mirrored(worst[i]));
-		const bool mayBeTighter = drawing.tightenAt(worst);
-		planned_ = safe;
-		if (!mayBeTighter)
-			break;
-	}
+	const SewingSteps steps{[this] { return sewTogether(true); },
+							[this](SewnPanels sewn) { return relieved(std::move(sewn)); },
+							[this] { return !tests_->stopped() && sewingsLeft_ > 0; }};
+	SeamSmoothing smoothing(planned_, clusters_, dartTips_, options_, mirror_, steps);
+	SewnPanels sewn = smoothing.run();
+	lessSmooth_.assign(1, smoothing.safest());
 	return sewn;
 }
 
@@ -225,11 +209,27 @@ bool PanelPlan::search(double clusterDeviation) {
 	return worstOf(sewn_) < 0;
 }
 
-void PanelPlan::takeOver(PlannedSurface found, bool held) {
+std::vector<PlannedSurface> PanelPlan::found() const {
+	std::vector<PlannedSurface> all = {planned_};
+	if (worstOf(sewn_) < 0)
+		all.insert(all.end(), lessSmooth_.begin(), lessSmooth_.end());
+	return all;
+}
+
+void PanelPlan::takeOver(const std::vector<PlannedSurface>& found, bool held) {
+	for (std::size_t i = 0; i < found.size() && !tests_->stopped(); ++i) {
+		planned_ = found[i];
+		sewn_ = sewTogether(false);
+		if (worstOf(sewn_) < 0)
+			return;
+	}
+	planned_ = found.front();
+	sewn_ = held ? divideUntilAllHold() : sewTogether(false);
+}
+
+void PanelPlan::takeOver(PlannedSurface found, SewnPanels sewn) {
 	planned_ = std::move(found);
-	sewn_ = sewTogether(false);
-	if (held && worstOf(sewn_) >= 0)
-		sewn_ = divideUntilAllHold();
+	sewn_ = std::move(sewn);
 }
 
 void PanelPlan::explain() {

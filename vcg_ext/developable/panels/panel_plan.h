@@ -30,14 +30,21 @@ public:
 	/// divided, and then do not mirror each other any more.
 	SymmetricOutcome searchSymmetric(const MirrorPlane& plane);
 
-	/// Takes over panels that were found on another copy of the patches. What held there should hold here,
-	/// too; else it is divided.
-	void takeOver(PlannedSurface found, bool held);
+	/// Takes over panels that were found on another copy of the patches: the first that hold here, too. Where
+	/// none do, the first are divided if they held there.
+	/// \param found  not empty
+	void takeOver(const std::vector<PlannedSurface>& found, bool held);
+
+	/// Takes over panels that were found on these patches.
+	void takeOver(PlannedSurface found, SewnPanels sewn);
 
 	/// Finds out why each panel has its longest seam.
 	void explain();
 
 	const PlannedSurface& planned() const { return planned_; }
+	const SewnPanels& sewn() const { return sewn_; }
+	/// What was found, and the same with seams that are less smooth, which holds just as well.
+	std::vector<PlannedSurface> found() const;
 	bool stopped() const { return tests_->stopped(); }
 	/// How much has been tested and sewn, in triangles.
 	double work() const { return tests_->work() + sewnWork_; }
@@ -67,6 +74,7 @@ private:
 	double preferredMove_ = 0;         // of a run of all that are sewn together, share of the diagonal
 	PlannedSurface planned_;
 	SewnPanels sewn_; // what becomes of it
+	std::vector<PlannedSurface> lessSmooth_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
 	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help.

@@ -13,8 +13,14 @@ namespace developable::detail {
 /// a smooth curve everywhere may move away from where a panel needs it at one or two places.
 class SeamDrawing {
 public:
+	/// How far seams may move from where triangles of different panels meet.
+	enum class Manner {
+		Smooth, ///< as they like to
+		Taut,   ///< within half an edge
+		Safest  ///< as little as can be
+	};
+
 	/// At first seams move as little as can be.
-	/// \param planned   outlives this
 	/// \param clusters  per triangle; both sides of any cut differ
 	/// \param dartTips  where darts end that no seam shows
 	SeamDrawing(const PlannedSurface& planned, const std::vector<int>& clusters,
@@ -23,16 +29,17 @@ public:
 	/// The same panels, with triangles split where seams cross them if that is asked for.
 	PlannedSurface drawn() const;
 
-	/// As smooth as they may become, everywhere.
-	void smoothen();
+	/// In the same manner everywhere.
+	void draw(Manner manner);
 
 	/// Less smooth near some points, farther round them each time. \return false when there is nothing to be
 	/// had
 	bool tightenAt(const std::vector<Eigen::Vector3d>& points);
 
 private:
-	PlannedSurface withPanels() const;
-	PlannedSurface splitAlong(const Memberships& spread) const;
+	PlannedSurface relabelled(const Memberships& spread, const std::vector<char>& held) const;
+	PlannedSurface splitAlong(const Memberships& spread, const std::vector<char>& held) const;
+	void cutDarts(CutSurface& surface, const std::vector<char>& held) const;
 
 	const PlannedSurface& planned_;
 	const std::vector<Eigen::Vector3d> dartTips_;

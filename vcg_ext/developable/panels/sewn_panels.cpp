@@ -185,9 +185,11 @@ int worstOf(const SewnPanels& sewn) {
 
 std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn) {
 	std::vector<Eigen::Vector3d> points;
-	for (const CutPanel& panel : sewn.panels)
-		if (excess(panel) > 0)
-			points.push_back(panel.worstPoint);
+	for (int panel = 0; panel < static_cast<int>(sewn.panels.size()); ++panel)
+		if (excess(sewn.panels[panel]) > 0)
+			points.push_back(sewn.panels[panel].worstPoint);
+	for (const auto& [panel, overlap] : sewn.overlaps)
+		points.push_back(overlap[1]); // the first is its worst
 	return points;
 }
 

@@ -25,22 +25,22 @@ SlitLabels::SlitLabels(const CutSurface& surface, const std::vector<int>& cluste
 }
 
 void SlitLabels::openWithin(CutSurface& other, const std::vector<int>& labels) const {
-	std::vector<SeamChain> open, unknown;
+	std::vector<SeamChain> open, unknown, cut;
 	for (const SeamChain& chain : seamChains(other)) {
 		const int a = labels[triangleOf(chain.halfEdges.front())];
 		const int b = labels[triangleOf(other.assembly().across(chain.halfEdges.front()))];
 		if (panelOfLabel_[a] != panelOfLabel_[b])
 			continue;
 		const Evidence evidence = wasOpen(other, chain, a, b);
-		if (evidence != Evidence::Cut)
-			(evidence == Evidence::Open ? open : unknown).push_back(chain);
+		(evidence == Evidence::Open ? open : evidence == Evidence::Cut ? cut : unknown).push_back(chain);
 	}
 	for (const SeamChain& chain : open)
 		other.join(chain.halfEdges);
-	for (const SeamChain& chain : unknown) // never so that a ring comes of it
-		if (other.panelOf(triangleOf(chain.halfEdges.front())) !=
-			other.panelOf(triangleOf(other.assembly().across(chain.halfEdges.front()))))
-			other.join(chain.halfEdges);
+	for (const std::vector<SeamChain>& chains : {unknown, longestFirst(cut)})
+		for (const SeamChain& chain : chains) // a panel stays one; never so that a ring comes of it
+			if (other.panelOf(triangleOf(chain.halfEdges.front())) !=
+				other.panelOf(triangleOf(other.assembly().across(chain.halfEdges.front()))))
+				other.join(chain.halfEdges);
 }
 
 SlitLabels::Evidence SlitLabels::wasOpen(const CutSurface& other, const SeamChain& chain, int a,

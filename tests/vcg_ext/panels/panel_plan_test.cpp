@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of panels that were found elsewhere those are taken over that hold.
+#include "developable/panels/panel_plan.h"
+
+#include "panel_shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+using detail::GivenPatches;
+using detail::PanelPlan;
+using detail::PlannedSurface;
+
+PanelPlan planOf(const GivenPatches& given) {
+	const double limit = 0.02 * boxDiagonal(given.mesh.positions);
+	return {given, {limit}, {}, [](double, const std::string&) { return true; }};
+}
+
+PlannedSurface inStrips(const GivenPatches& given, int count) {
+	return {given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, count))};
+}
+
+TEST(PanelPlan, takesOverTheFirstThatHold) {
+	const GivenPatches given = detail::separatePatches(jitteredGrid(21, 21, steepBump), {});
+	PanelPlan plan = planOf(given);
+	plan.takeOver({inStrips(given, 1), inStrips(given, 9), inStrips(given, 15)}, true);
+	EXPECT_EQ(plan.planned().surface.usedPanelCount(), 9);
+	EXPECT_EQ(plan.result().report.status, Status::Converged);
+}
+
+TEST(PanelPlan, dividesTheFirstWhereNoneHold) {
+	const GivenPatches given = detail::separatePatches(jitteredGrid(21, 21, steepBump), {});
+	PanelPlan divided = planOf(given), left = planOf(given);
+	divided.takeOver({inStrips(given, 1)}, true);
+	EXPECT_GT(divided.planned().surface.usedPanelCount(), 1);
+	EXPECT_EQ(divided.result().report.status, Status::Converged);
+	left.takeOver({inStrips(given, 1)}, false);
+	EXPECT_EQ(left.planned().surface.usedPanelCount(), 1);
+	EXPECT_NE(left.result().report.status, Status::Converged);
+}
+
+} // namespace
+} // namespace developable::test

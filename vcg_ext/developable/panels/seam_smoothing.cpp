@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// seam_smoothing.cpp: first what moves seams least, then what makes them smooth.
+#include "seam_smoothing.h"
+
+#include <utility>
+
+namespace developable::detail {
+
+SeamSmoothing::SeamSmoothing(PlannedSurface& planned, const std::vector<int>& clusters,
+							 const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options,
+							 const MirrorPlane* mirror, SewingSteps steps)
+	: planned_(planned), before_(planned), drawing_(before_, clusters, dartTips, options), mirror_(mirror),
+	  steps_(std::move(steps)), safest_(planned) {}
+
+bool SeamSmoothing::holds(const SewnPanels& sewn) const {
+	return planned_.surface.usedPanelCount() <= before_.surface.usedPanelCount() && worstOf(sewn) < 0;
+}
+
+SewnPanels SeamSmoothing::run() {
+	constexpr int rounds = 4;
+	drawing_.draw(SeamDrawing::Manner::Safest);
+	planned_ = drawing_.drawn();
+	SewnPanels sewn = steps_.relieve(steps_.sew());
+	safest_ = planned_;
+	if (!holds(sewn))
+		return sewn;
+	const bool taut = tryManner(SeamDrawing::Manner::Taut, 1, sewn);
+	if (!tryManner(SeamDrawing::Manner::Smooth, rounds, sewn) && !taut)
+		tryManner(SeamDrawing::Manner::Taut, rounds, sewn);
+	return sewn;
+}
+
+/// Where panels do not hold seams move less in each round. \return whether the surface has such seams now,
+/// which are shorter than before
+bool SeamSmoothing::tryManner(SeamDrawing::Manner manner, int rounds, SewnPanels& sewn) {
+	const double length = seamLength(planned_.surface);
+	drawing_.draw(manner);
+	for (int round = 0; round < rounds && steps_.mayGoOn(); ++round) {
+		PlannedSurface before = std::exchange(planned_, drawing_.drawn());
+		if (seamLength(planned_.surface) >= length) {
+			planned_ = std::move(before);
+			return false;
+		}
+		SewnPanels smoother = steps_.sew();
+		if (holds(smoother)) {
+			sewn = std::move(smoother);
+			return true;
+		}
+		planned_ = std::move(before);
+		std::vector<Eigen::Vector3d> worst = worstPoints(smoother);
+		for (std::size_t i = 0, count = worst.size(); i < count && mirror_ != nullptr; ++i)
+			worst.push_back(mirror_->mirrored(worst[i]));
+		if (!drawing_.tightenAt(worst))
+			return false;
+	}
+	return false;
+}
+
+} // namespace developable::detail
