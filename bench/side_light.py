@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes before and after Global Developability in strong side light, where ruffles and kinked borders show.
+The verdict is the title of the second.
 
 `bash bench/run.sh side_light FOLDER MESH...` writes FOLDER/MESH.png for each.
 """
@@ -42,14 +43,14 @@ def picture_of(source: Path, target: Path) -> None:
     meshes.load_new_mesh(str(source))
     before = meshes.current_mesh().vertex_matrix()
     faces = meshes.current_mesh().face_matrix()
-    meshes.apply_filter("apply_coord_global_developability")
-    after = meshes.current_mesh().vertex_matrix()
+    developed = meshlab_developable.make_developable(before, faces)
+    verdict = developed.report.status.name.lower().replace("_", " ")
     view, light = side_view(before)
     render(
         target,
         [
             Picture(title, vertices, faces, shades(vertices, faces, light))
-            for title, vertices in (("before", before), ("developable", after))
+            for title, vertices in (("before", before), (verdict, developed.vertices))
         ],
         None,
         view,

@@ -32,7 +32,8 @@ double area(const CutSurface& surface) {
 TEST(SeamDrawing, isSmootherWhereItMayBe) {
 	std::vector<int> labels;
 	const PlannedSurface planned = sheetWithWave(labels);
-	SeamDrawing drawing(planned, labels, {}, {});
+	std::vector<Eigen::Vector3d> tips;
+	SeamDrawing drawing(planned, labels, tips, {});
 	const PlannedSurface safe = drawing.drawn();
 	drawing.draw(SeamDrawing::Manner::Taut);
 	const PlannedSurface taut = drawing.drawn();
@@ -58,8 +59,9 @@ TEST(SeamDrawing, isSmootherWhereItMayBe) {
 TEST(SeamDrawing, drawsDartsThatAreKnownByTheirTips) {
 	std::vector<int> labels;
 	const PlannedSurface planned = sheetWithWave(labels);
-	const std::vector<Eigen::Vector3d> tips = {{0.2, 0.5, 0}};
+	std::vector<Eigen::Vector3d> tips;
 	const SeamDrawing drawing(planned, labels, tips, {});
+	tips.emplace_back(0.2, 0.5, 0); // as of darts that were added after seams were drawn first
 	const PlannedSurface drawn = drawing.drawn();
 	int darts = 0;
 	for (const detail::SeamChain& chain : detail::seamChains(drawn.surface))

@@ -194,7 +194,7 @@ SewnPanels PanelPlan::smoothSeams() {
 							[this] { return !tests_->stopped() && sewingsLeft_ > 0; }};
 	SeamSmoothing smoothing(planned_, clusters_, dartTips_, options_, mirror_, steps);
 	SewnPanels sewn = smoothing.run();
-	lessSmooth_.assign(1, smoothing.safest());
+	lessSmooth_.emplace(smoothing.safest());
 	return sewn;
 }
 
@@ -211,20 +211,23 @@ bool PanelPlan::search(double clusterDeviation) {
 
 std::vector<PlannedSurface> PanelPlan::found() const {
 	std::vector<PlannedSurface> all = {planned_};
-	if (worstOf(sewn_) < 0)
-		all.insert(all.end(), lessSmooth_.begin(), lessSmooth_.end());
+	if (worstOf(sewn_) < 0 && lessSmooth_)
+		all.push_back(*lessSmooth_);
 	return all;
 }
 
 void PanelPlan::takeOver(const std::vector<PlannedSurface>& found, bool held) {
+	SewnPanels first;
 	for (std::size_t i = 0; i < found.size() && !tests_->stopped(); ++i) {
 		planned_ = found[i];
 		sewn_ = sewTogether(false);
 		if (worstOf(sewn_) < 0)
 			return;
+		if (i == 0)
+			first = sewn_;
 	}
 	planned_ = found.front();
-	sewn_ = held ? divideUntilAllHold() : sewTogether(false);
+	sewn_ = held ? divideUntilAllHold() : std::move(first);
 }
 
 void PanelPlan::takeOver(PlannedSurface found, SewnPanels sewn) {

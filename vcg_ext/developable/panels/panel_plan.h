@@ -9,6 +9,7 @@
 #include "sewn_panels.h"
 
 #include <memory>
+#include <optional>
 
 namespace developable::detail {
 
@@ -74,7 +75,7 @@ private:
 	double preferredMove_ = 0;         // of a run of all that are sewn together, share of the diagonal
 	PlannedSurface planned_;
 	SewnPanels sewn_; // what becomes of it
-	std::vector<PlannedSurface> lessSmooth_;
+	std::optional<PlannedSurface> lessSmooth_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
 	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help.

@@ -22,7 +22,7 @@ public:
 
 	/// At first seams move as little as can be.
 	/// \param clusters  per triangle; both sides of any cut differ
-	/// \param dartTips  where darts end that no seam shows
+	/// \param dartTips  where darts end that no seam shows, whenever it draws; outlives this
 	SeamDrawing(const PlannedSurface& planned, const std::vector<int>& clusters,
 				const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options);
 
@@ -42,7 +42,7 @@ private:
 	void cutDarts(CutSurface& surface, const std::vector<char>& held) const;
 
 	const PlannedSurface& planned_;
-	const std::vector<Eigen::Vector3d> dartTips_;
+	const std::vector<Eigen::Vector3d>& dartTips_;
 	const CutOptions options_;
 	SlitLabels labels_;
 	SharpFeatures features_;
