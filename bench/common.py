@@ -11,6 +11,11 @@ def said(*command: object) -> str:
     return subprocess.run(list(map(str, command)), check=True, capture_output=True, text=True).stdout
 
 
+def files_below(folder: Path) -> list[Path]:
+    """The files of a folder and of those in it, in order of their paths."""
+    return sorted(path for path in folder.rglob("*") if path.is_file())
+
+
 def print_head(columns: Sequence[str]) -> None:
     """The first two lines of a table."""
     print(f"| {' | '.join(columns)} |\n{'|---' * len(columns)}|")

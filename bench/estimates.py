@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 import pymeshlab
-from common import print_head, print_row, said
+from common import files_below, print_head, print_row, said
 from solvers import convert
 
 COLUMNS = ("mesh", "seconds", "said / taken after a quarter", "half", "three quarters")
@@ -24,12 +24,12 @@ def main() -> None:
     executable, meshes = sys.argv[1], Path(sys.argv[2])
     print_head(COLUMNS)
     with tempfile.TemporaryDirectory() as name:
-        for path in sorted(path for path in meshes.rglob("*") if path.is_file()):
+        for path in files_below(meshes):
             try:
                 words = said(executable, "estimates", convert(path, Path(name))).split()
             except (pymeshlab.PyMeshLabException, subprocess.CalledProcessError):
                 continue
-            print_row(path.name, *(f"{float(word):.3g}" for word in words))
+            print_row(path.relative_to(meshes), *(f"{float(word):.3g}" for word in words))
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 import pymeshlab
-from common import print_head, print_row, said
+from common import files_below, print_head, print_row, said
 from solvers import convert
 
 COLUMNS = (
@@ -37,7 +37,7 @@ def run(executable: str, method: str, before: Path, after: Path) -> tuple[float,
     return float(seconds), verdict, list(map(float, said(executable, "measure", before, after).split()))
 
 
-def row(executable: str, source: Path, folder: Path) -> bool:
+def row(executable: str, source: Path, name: Path, folder: Path) -> bool:
     """Print a mesh's row; False when it is none that can be read."""
     try:
         before, after = convert(source, folder), folder / "after.off"
@@ -47,7 +47,7 @@ def row(executable: str, source: Path, folder: Path) -> bool:
         ours, verdict, measures = run(executable, "constrained_newton", before, after)
         paper, _, of_paper = run(executable, "conjugate_gradient_200", before, after)
     except subprocess.CalledProcessError as error:
-        print_row(source.name, "", error.stderr.strip(), *[""] * (len(COLUMNS) - 3))
+        print_row(name, "", error.stderr.strip(), *[""] * (len(COLUMNS) - 3))
         return True
     numbers = (
         ours,
@@ -60,7 +60,7 @@ def row(executable: str, source: Path, folder: Path) -> bool:
         measures[6],
         measures[13],
     )
-    print_row(source.name, int(measures[0]), verdict, *(f"{number:.3g}" for number in numbers))
+    print_row(name, int(measures[0]), verdict, *(f"{number:.3g}" for number in numbers))
     return True
 
 
@@ -71,8 +71,8 @@ def main() -> None:
     executable, meshes = sys.argv[1], Path(sys.argv[2])
     print_head(COLUMNS)
     with tempfile.TemporaryDirectory() as name:
-        files = sorted(path for path in meshes.rglob("*") if path.is_file())
-        if not sum(row(executable, path, Path(name)) for path in files):
+        rows = (row(executable, path, path.relative_to(meshes), Path(name)) for path in files_below(meshes))
+        if not sum(rows):
             sys.exit(f"{meshes} has no mesh that pymeshlab reads")
 
 

@@ -12,7 +12,7 @@ namespace developable::detail {
 namespace {
 
 /// Of every edge; nearer to its ends and to each other triangles would become too flat.
-constexpr double shares[] = {0.25, 0.5, 0.75};
+constexpr double sharesOnEdge[] = {0.25, 0.5, 0.75};
 constexpr int perEdge = 3;
 constexpr double apart = 0.15; ///< of an edge, between nodes of curves
 
@@ -38,7 +38,7 @@ CurveNetwork::EdgePoint CurveNetwork::edgePointOf(int node) const {
 	const int ofEdges = perEdge * 3 * mesh_.triangleCount();
 	if (number >= ofEdges)
 		return others_[number - ofEdges];
-	return {number / perEdge, shares[number % perEdge]};
+	return {number / perEdge, sharesOnEdge[number % perEdge]};
 }
 
 int CurveNetwork::nodeAt(const VertexOrigin& place) {
@@ -139,9 +139,9 @@ std::vector<int> CurveNetwork::freeNodes(int triangle) const {
 		const std::vector<int> taken = takenOn(h);
 		for (int i = 0; i < perEdge; ++i) {
 			const bool tooNear = std::any_of(taken.begin(), taken.end(), [&](int node) {
-				return std::abs(edgePointOf(node).share - shares[i]) < apart;
+				return std::abs(edgePointOf(node).share - sharesOnEdge[i]) < apart;
 			});
-			if (!tooNear && !isInsideSegment(first, shares[i]))
+			if (!tooNear && !isInsideSegment(first, sharesOnEdge[i]))
 				nodes.push_back(mesh_.vertexCount() + perEdge * first + i);
 		}
 	}

@@ -14,8 +14,8 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double deviations[] = {0.15, 0.25, 0.08}; ///< of clusters; see ClusterOptions
-constexpr double littleWork = 3e5;                  ///< triangles, which take seconds
+constexpr double clusterDeviations[] = {0.15, 0.25, 0.08}; ///< of clusters; see ClusterOptions
+constexpr double littleWork = 3e5;                         ///< triangles, which take seconds
 
 bool isBetter(const FoundPanels& a, const FoundPanels& b) {
 	const CutSurface &first = a.planned.front().surface, &second = b.planned.front().surface;
@@ -49,7 +49,7 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 					   const CutOptions& options, const Progress& progress) {
 	std::optional<FoundPanels> found;
 	double work = 0;
-	for (const double deviation : deviations) {
+	for (const double deviation : clusterDeviations) {
 		PanelPlan plan(patches, limits, options, progress);
 		const bool hold = plan.search(deviation);
 		if (plan.stopped())
