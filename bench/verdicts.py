@@ -68,7 +68,8 @@ def main() -> None:
     """Print the table."""
     if len(sys.argv) != 3 or not Path(sys.argv[2]).is_dir():
         sys.exit("usage: bash bench/run.sh verdicts FOLDER")
-    executable, meshes = sys.argv[1], Path(sys.argv[2])
+    # Absolute: pymeshlab changes the current folder when a file can't be read.
+    executable, meshes = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2]).resolve()
     print_head(COLUMNS)
     with tempfile.TemporaryDirectory() as name:
         rows = (row(executable, path, path.relative_to(meshes), Path(name)) for path in files_below(meshes))
