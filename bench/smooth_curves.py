@@ -13,13 +13,18 @@ import numpy as np
 from meshlab_developable.flattening import FlatteningResult
 from scipy.interpolate import make_lsq_spline
 
-SHORTEST = 3.0  # seams shorter than so many tolerances have no shape of their own
+SHORTEST = 3.0  # seams shorter than so many edges have no shape of their own
 MOST_INTERVALS = 60
+
+
+def steps(points: Any) -> Any:
+    """The lengths between points (k x 3) in order, k - 1."""
+    return np.linalg.norm(np.diff(points, axis=0), axis=1)
 
 
 def fitted_length(points: Any, tolerance: float) -> float:
     """The length of the curve that is fitted to a polyline (k x 3) and ends where it ends."""
-    along = np.append(0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    along = np.append(0, np.cumsum(steps(points)))
     samples = np.linspace(0, along[-1], max(40, int(5 * along[-1] / tolerance)))
     on_line = np.column_stack([np.interp(samples, along, axis) for axis in points.T])
     weights = np.ones(len(samples))
@@ -30,7 +35,7 @@ def fitted_length(points: Any, tolerance: float) -> float:
         curve = make_lsq_spline(samples, on_line, knots, 3, w=weights)(samples)
         if np.linalg.norm(curve - on_line, axis=1).max() <= tolerance:
             break
-    return float(np.linalg.norm(np.diff(curve, axis=0), axis=1).sum())
+    return float(steps(curve).sum())
 
 
 def seams_beside_smooth_curves(flat: FlatteningResult, edge: float) -> tuple[float, float]:
@@ -42,7 +47,7 @@ def seams_beside_smooth_curves(flat: FlatteningResult, edge: float) -> tuple[flo
     lengths = []
     for seam in flat.seams:
         points = flat.model_vertices[seam.sides[0]]
-        length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+        length = float(steps(points).sum())
         if length > SHORTEST * edge:
             lengths.append((length, fitted_length(points, edge / 2)))
     if not lengths:

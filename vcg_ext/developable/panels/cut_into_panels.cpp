@@ -25,9 +25,14 @@ CutOptions optionsOf(const CanonicalForm& form, const CutOptions& options) {
 	return result;
 }
 
-PanelPlan planOf(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
-	return {given, displacementLimits(assemblePatches(given.mesh, {}), options.maxDisplacement), options,
-			progress};
+std::vector<double> limitsOf(const GivenPatches& given, const CutOptions& options) {
+	return displacementLimits(assemblePatches(given.mesh, {}), options.maxDisplacement);
+}
+
+CutResult stoppedResult() {
+	CutResult result;
+	result.report.status = Status::Stopped;
+	return result;
 }
 
 /// Panels are found on the canonical form of what was given, and judged on both. They may move a little less
@@ -36,34 +41,30 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 	constexpr double lessRoom = 0.999;
 	const CanonicalForm form(given);
 	std::vector<double> limits = displacementLimits(form, options.maxDisplacement);
-	PanelPlan here = planOf(given, options, progress);
+	PanelPlan here(given, limitsOf(given, options), options, progress);
 	for (double& limit : limits)
 		limit *= lessRoom;
 	const auto find = options.symmetric ? findSymmetricPanels : findPanels;
 	const FoundPanels found = find(form.patches(), limits, optionsOf(form, options), progress);
-	CutResult result;
-	result.report.status = Status::Stopped;
 	if (found.stopped)
-		return result;
+		return stoppedResult();
 	std::vector<PlannedSurface> carried;
+	carried.reserve(found.planned.size());
 	for (const PlannedSurface& planned : found.planned)
 		carried.push_back(form.carriedBack(planned));
 	here.takeOver(carried, found.hold);
 	here.explain();
-	result = here.result();
+	CutResult result = here.result();
 	result.report.notes.insert(result.report.notes.end(), found.notes.begin(), found.notes.end());
 	return result;
 }
 
 CutResult cutAsItIs(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
-	PanelPlan plan = planOf(given, options, progress);
-	FoundPanels found =
-		findPanels(given, displacementLimits(assemblePatches(given.mesh, {}), options.maxDisplacement),
-				   options, progress);
-	CutResult result;
-	result.report.status = Status::Stopped;
+	const std::vector<double> limits = limitsOf(given, options);
+	FoundPanels found = findPanels(given, limits, options, progress);
 	if (found.stopped)
-		return result;
+		return stoppedResult();
+	PanelPlan plan(given, limits, options, progress);
 	plan.takeOver(std::move(found.planned.front()), std::move(found.sewn));
 	plan.explain();
 	return plan.result();

@@ -9,8 +9,9 @@ namespace developable::detail {
 SeamSmoothing::SeamSmoothing(PlannedSurface& planned, const std::vector<int>& clusters,
 							 const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options,
 							 const MirrorPlane* mirror, SewingSteps steps)
-	: planned_(planned), before_(planned), drawing_(before_, clusters, dartTips, options), mirror_(mirror),
-	  steps_(std::move(steps)), safest_(planned) {}
+	: planned_(planned), before_(planned), taut_(before_, clusters, dartTips, options),
+	  smooth_(before_, clusters, dartTips, options), mirror_(mirror), steps_(std::move(steps)),
+	  safest_(planned) {}
 
 bool SeamSmoothing::holds(const SewnPanels& sewn) const {
 	return planned_.surface.usedPanelCount() <= before_.surface.usedPanelCount() && worstOf(sewn) < 0;
@@ -18,25 +19,25 @@ bool SeamSmoothing::holds(const SewnPanels& sewn) const {
 
 SewnPanels SeamSmoothing::run() {
 	constexpr int rounds = 4;
-	drawing_.draw(SeamDrawing::Manner::Safest);
-	planned_ = drawing_.drawn();
+	planned_ = taut_.drawn(); // it is not taut yet: what moves seams least
 	SewnPanels sewn = steps_.relieve(steps_.sew());
 	safest_ = planned_;
 	if (!holds(sewn))
 		return sewn;
-	const bool taut = tryManner(SeamDrawing::Manner::Taut, 1, sewn);
-	if (!tryManner(SeamDrawing::Manner::Smooth, rounds, sewn) && !taut)
-		tryManner(SeamDrawing::Manner::Taut, rounds, sewn);
+	taut_.draw(SeamDrawing::Manner::Taut);
+	smooth_.draw(SeamDrawing::Manner::Smooth);
+	const bool taut = tryDrawing(taut_, 1, sewn);
+	if (!tryDrawing(smooth_, rounds, sewn) && !taut)
+		tryDrawing(taut_, rounds - 1, sewn); // it is less taut by now where it failed
 	return sewn;
 }
 
 /// Where panels do not hold seams move less in each round. \return whether the surface has such seams now,
 /// which are shorter than before
-bool SeamSmoothing::tryManner(SeamDrawing::Manner manner, int rounds, SewnPanels& sewn) {
+bool SeamSmoothing::tryDrawing(SeamDrawing& drawing, int rounds, SewnPanels& sewn) {
 	const double length = seamLength(planned_.surface);
-	drawing_.draw(manner);
 	for (int round = 0; round < rounds && steps_.mayGoOn(); ++round) {
-		PlannedSurface before = std::exchange(planned_, drawing_.drawn());
+		PlannedSurface before = std::exchange(planned_, drawing.drawn());
 		if (seamLength(planned_.surface) >= length) {
 			planned_ = std::move(before);
 			return false;
@@ -50,7 +51,7 @@ bool SeamSmoothing::tryManner(SeamDrawing::Manner manner, int rounds, SewnPanels
 		std::vector<Eigen::Vector3d> worst = worstPoints(smoother);
 		for (std::size_t i = 0, count = worst.size(); i < count && mirror_ != nullptr; ++i)
 			worst.push_back(mirror_->mirrored(worst[i]));
-		if (!drawing_.tightenAt(worst))
+		if (!drawing.tightenAt(worst))
 			return false;
 	}
 	return false;

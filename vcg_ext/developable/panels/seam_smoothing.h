@@ -36,11 +36,11 @@ public:
 
 private:
 	bool holds(const SewnPanels& sewn) const;
-	bool tryManner(SeamDrawing::Manner manner, int rounds, SewnPanels& sewn);
+	bool tryDrawing(SeamDrawing& drawing, int rounds, SewnPanels& sewn);
 
 	PlannedSurface& planned_;
 	const PlannedSurface before_;
-	SeamDrawing drawing_; // of what was before
+	SeamDrawing taut_, smooth_; // of what was before
 	const MirrorPlane* mirror_;
 	const SewingSteps steps_;
 	PlannedSurface safest_;
