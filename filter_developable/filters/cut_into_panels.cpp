@@ -77,7 +77,7 @@ void logReasons(const FilterCall& call, const CutReport& report) {
 			call.log("panel " + std::to_string(panel) + ": " + reason);
 }
 
-Results run(FilterCall& call) {
+Results runCut(FilterCall& call) {
 	const auto start = std::chrono::steady_clock::now();
 	PatchOptions patches = patchOptions(call.values);
 	const TriangleMesh mesh = readTriangles(call.layer.mesh(), patches.seams);
@@ -102,7 +102,7 @@ Results run(FilterCall& call) {
 	return resultsOf(result.report, elapsed.count());
 }
 
-std::vector<Parameter> parameters() {
+std::vector<Parameter> cutParameters() {
 	std::vector<Parameter> result = {
 		patchesParameter(),
 		weldDistanceParameter(),
@@ -158,8 +158,8 @@ FilterDescription panelCutting() {
 		"explains each setting.<br><br>"
 		"See: <i>D. Cohen-Steiner, P. Alliez, M. Desbrun</i>, <b>Variational Shape Approximation</b>, ACM "
 		"Transactions on Graphics 23, 2004, for the clusters.";
-	filter.parameters = parameters();
-	filter.run = run;
+	filter.parameters = cutParameters();
+	filter.run = runCut;
 	return filter;
 }
 

@@ -88,7 +88,7 @@ Results measures(const PatchAssembly& assembly, double angleTolerance) {
 	};
 }
 
-Results run(FilterCall& call) {
+Results runMaps(FilterCall& call) {
 	const Map chosen = chosenMap(call.values);
 	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
 	const std::optional<ReferenceShape> reference = referenceShape(call, assembly);
@@ -144,7 +144,7 @@ FilterDescription developabilityMaps() {
 		angleToleranceParameter(), mapParameter(Map::GaussianMap, {"Elastic energy", "Bending radius"}),
 		referenceParameter(),      colorizeParameter(),
 	};
-	filter.run = run;
+	filter.run = runMaps;
 	return filter;
 }
 

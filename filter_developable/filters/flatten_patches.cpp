@@ -103,7 +103,7 @@ void writeMaps(FilterCall& call, Layer& patternLayer, const PatchAssembly& assem
 	}
 }
 
-Results run(FilterCall& call) {
+Results runFlatten(FilterCall& call) {
 	const auto start = std::chrono::steady_clock::now();
 	const PatchAssembly assembly = readPatches(call.layer.mesh(), patchOptions(call.values));
 	FlattenOptions options;
@@ -192,7 +192,7 @@ FilterDescription patchFlattening() {
 		colorizeParameter(),
 	};
 	filter.parameters.insert(filter.parameters.end(), std::begin(own), std::end(own));
-	filter.run = run;
+	filter.run = runFlatten;
 	return filter;
 }
 

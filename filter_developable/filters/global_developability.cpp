@@ -74,7 +74,7 @@ OptimizationReport runBoundedStrain(const ParameterValues& values, const PatchAs
 	return report;
 }
 
-Results run(FilterCall& call) {
+Results runGlobal(FilterCall& call) {
 	const ParameterValues& values = call.values;
 	const bool newton = values.choice<Solver>("solver") == Solver::ConstrainedNewton;
 	const bool strained = newton && strainBounds(values).any();
@@ -110,7 +110,7 @@ Parameter positiveAngleTolerance() {
 	return parameter;
 }
 
-std::vector<Parameter> parameters() {
+std::vector<Parameter> globalParameters() {
 	std::vector<Parameter> all = {
 		enumeration(
 			"solver", solverNames(), 0, "Method",
@@ -176,8 +176,8 @@ FilterDescription globalDevelopability() {
 		"where a cut is needed, as on closed surfaces. There is no undo: <b>Restore Original Shape</b> takes it "
 		"back.<br>"
 		"See: <i>C. C. L. Wang, K. Tang</i>, The Visual Computer 20, 2004.";
-	filter.parameters = parameters();
-	filter.run = run;
+	filter.parameters = globalParameters();
+	filter.run = runGlobal;
 	return filter;
 }
 

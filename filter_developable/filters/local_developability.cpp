@@ -28,7 +28,7 @@ LocalMethodOptions localOptions(const ParameterValues& values, int lengthExponen
 	return options;
 }
 
-Results run(FilterCall& call) {
+Results runLocal(FilterCall& call) {
 	LocalMethodReport report;
 	const Method method = [&](const PatchAssembly& assembly, Positions& positions, const Progress& progress) {
 		const LocalMethodOptions options = localOptions(call.values, assembly.lengthExponent);
@@ -100,7 +100,7 @@ FilterDescription localDevelopability() {
 		mapParameter(Map::Displacement),
 		colorizeParameter(),
 	};
-	filter.run = run;
+	filter.run = runLocal;
 	return filter;
 }
 

@@ -38,7 +38,7 @@ CMeshO::PerVertexAttributeHandle<Point> originalPositions(CMeshO& mesh) {
 	return original;
 }
 
-Results run(FilterCall& call) {
+Results runRestore(FilterCall& call) {
 	CMeshO& mesh = call.layer.mesh();
 	if (mesh.vn == 0)
 		throw EmptyMesh("The mesh has no vertices to move back.");
@@ -75,7 +75,7 @@ FilterDescription originalShapeRestoring() {
 		"Only places are restored. Quality and colours keep the map that was shown, and what other filters have "
 		"done to the vertices' places since then is lost. The places are in the attribute "
 		"<i>original_position</i>, which ends with the session: files do not keep it.";
-	filter.run = run;
+	filter.run = runRestore;
 	return filter;
 }
 

@@ -9,7 +9,7 @@ namespace developable::plugin {
 
 namespace {
 
-Results run(FilterCall& call) {
+Results runTriangulate(FilterCall& call) {
 	const PolygonReport report = triangulatePolygons(call.layer.mesh());
 	if (report.edgesChanged > 0)
 		call.layer.facesChanged();
@@ -44,7 +44,7 @@ FilterDescription polygonTriangulation() {
 		"See: <i>C. C. L. Wang, K. Tang</i>, <b>Achieving developability of a polygonal surface by minimum "
 		"deformation: a study of global and local optimization approaches</b>, The Visual Computer 20, 2004, "
 		"Section 3.1. The triangulation is computed by CGAL.";
-	filter.run = run;
+	filter.run = runTriangulate;
 	return filter;
 }
 

@@ -10,7 +10,7 @@ cpp_files() { find "${cpp_folders[@]}" -name '*.h' -o -name '*.cpp' | sort; }
 
 check_cpp_format() { cpp_files | xargs clang-format-14 --dry-run -Werror; }
 
-# tidy_unit UNIT: clang-tidy on some sources of a folder, unless it passed as they and all headers are now
+# tidy_unit UNIT: clang-tidy on the sources of a folder, unless it passed as they and all headers are now
 tidy_unit() {
 	set -euo pipefail
 	local sources
@@ -24,8 +24,8 @@ tidy_unit() {
 # The plugin's sources are looked at as one host's build compiles them. The tests' units, which take longest and ship
 # nothing, are looked at when DEVELOPABLE_TIDY_TESTS is set; helpers of different tests may have the same name.
 check_cpp_tidy() {
-	"$root/.venv/bin/python" "$root/scripts/lib/lint_units.py" "$build_root/tidy" "$build_root/library:10" \
-		${DEVELOPABLE_TIDY_TESTS:+"$build_root/tests:1"} "$build_root/pymeshlab-2025.7:10" "$build_root/meshlab-2020.09:10" |
+	"$root/.venv/bin/python" "$root/scripts/lib/lint_units.py" "$build_root/tidy" "$build_root/library" \
+		${DEVELOPABLE_TIDY_TESTS:+"$build_root/tests:alone"} "$build_root/pymeshlab-2025.7" "$build_root/meshlab-2020.09" |
 		xargs -P "$(nproc)" -L 1 bash -c 'tidy_unit "$@"' tidy_unit
 }
 

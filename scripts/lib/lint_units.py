@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Units for clang-tidy: several sources of a folder in one, as most of its time goes to shared headers.
+"""Units for clang-tidy: all sources of a folder in one, as most of its time goes to shared headers.
 
-`lint_units.py FOLDER BUILD:SIZE...` reads the compile commands of builds, and writes units of up to so many
-sources each and their commands into `FOLDER/BUILD`. A source is in one unit, of the first build that has it;
-what a build generated is in none. Prints one unit's file name a line.
+`lint_units.py FOLDER BUILD...` reads the compile commands of builds, and writes units and their commands
+into `FOLDER/BUILD`. Of a build that is written as `BUILD:alone` every source is a unit. A source is in one
+unit, of the first build that has it; what a build generated is in none. Prints one unit's file name a line,
+the largest first.
 """
 
 import json
@@ -13,21 +14,21 @@ from itertools import groupby
 from pathlib import Path
 
 PRECOMPILED = re.compile(r" -Winvalid-pch -include \S+/cmake_pch\.hxx")  # GCC's: clang can't read them
-ALONE = {"filters"}  # folders whose sources have helpers of the same names
 
 
 def main() -> None:
     """Write the units."""
     folder = Path(sys.argv[1])
     seen: set[Path] = set()
+    units: dict[Path, int] = {}
     for argument in sys.argv[2:]:
-        build, size = argument.rsplit(":", 1)
-        units = write_units(Path(build), folder / Path(build).name, int(size), seen)
-        print("\n".join(map(str, units)))
+        build, _, alone = argument.partition(":")
+        units.update(write_units(Path(build), folder / Path(build).name, bool(alone), seen))
+    print("\n".join(map(str, sorted(units, key=lambda unit: (-units[unit], unit)))))
 
 
-def write_units(build: Path, folder: Path, size: int, seen: set[Path]) -> list[Path]:
-    """Units of the sources of a build that are not among those seen, which they become."""
+def write_units(build: Path, folder: Path, alone: bool, seen: set[Path]) -> dict[Path, int]:
+    """Units of the sources of a build that are not among those seen, which they become, in bytes."""
     folder.mkdir(parents=True, exist_ok=True)
     commands = {
         Path(entry["file"]): PRECOMPILED.sub("", entry["command"])
@@ -35,20 +36,18 @@ def write_units(build: Path, folder: Path, size: int, seen: set[Path]) -> list[P
     }
     sources = sorted(source for source in commands if not source.is_relative_to(build) and source not in seen)
     seen.update(sources)
-    entries = {}
+    units: dict[Path, int] = {}
+    entries: list[dict[str, str]] = []
     for parent, group in groupby(sources, key=lambda source: source.parent):
         members = list(group)
-        step = 1 if parent.name in ALONE else size
-        for first in range(0, len(members), step):
-            unit = folder / f"{'_'.join(parent.parts[-2:])}_{first // step}.cpp"
-            unit.write_text("".join(f'#include "{source}"\n' for source in members[first : first + step]))
-            entries[unit] = commands[members[first]].replace(str(members[first]), str(unit))
-    (folder / "compile_commands.json").write_text(
-        json.dumps(
-            [{"directory": str(folder), "command": entries[unit], "file": str(unit)} for unit in entries]
-        )
-    )
-    return list(entries)
+        for first, part in enumerate([[source] for source in members] if alone else [members]):
+            unit = folder / f"{'_'.join(parent.parts[-2:])}_{first}.cpp"
+            unit.write_text("".join(f'#include "{source}"\n' for source in part))
+            command = commands[part[0]].replace(str(part[0]), str(unit))
+            entries.append({"directory": str(folder), "command": command, "file": str(unit)})
+            units[unit] = sum(source.stat().st_size for source in part)
+    (folder / "compile_commands.json").write_text(json.dumps(entries))
+    return units
 
 
 if __name__ == "__main__":

@@ -2,9 +2,10 @@
 // parallel_tasks.cpp: workers that take one task after the other, and the caller who tells how far they are.
 #include "parallel_tasks.h"
 
+#include "pace_of_looks.h"
+
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <cstdlib>
 #include <exception>
@@ -21,8 +22,6 @@
 namespace developable {
 
 namespace {
-
-constexpr std::chrono::milliseconds pause(20); ///< between two looks at how far the workers are
 
 /// Of the task that this thread works on; 0: none.
 int& shareOfThisThread() {
@@ -116,7 +115,7 @@ private:
 	/// Until all workers have ended. Should telling fail, they are stopped first.
 	void watch(int workers) {
 		for (std::unique_lock lock(mutex_); ended_ < workers;) {
-			someEnded_.wait_for(lock, pause, [&] { return ended_ == workers; });
+			someEnded_.wait_for(lock, betweenLooks, [&] { return ended_ == workers; });
 			lock.unlock();
 			try {
 				if (!failure_)

@@ -2,19 +2,13 @@
 // task_ahead.cpp: the thread, and what is told while one waits for it.
 #include "task_ahead.h"
 
+#include "pace_of_looks.h"
 #include "parallel_tasks.h"
 
-#include <chrono>
 #include <new>
 #include <system_error>
 
 namespace developable {
-
-namespace {
-
-constexpr std::chrono::milliseconds pause(20); ///< between two looks at how far the task is
-
-} // namespace
 
 TaskAhead::~TaskAhead() {
 	{
@@ -59,7 +53,7 @@ void TaskAhead::finish(const Progress& progress) {
 		const bool goOn = message.empty() || mayGoOn(progress, fraction, message);
 		lock.lock();
 		stop_ = stop_ || !goOn;
-		end_.wait_for(lock, pause, [&] { return ended_; });
+		end_.wait_for(lock, betweenLooks, [&] { return ended_; });
 	}
 	thread_.join();
 	if (error_)

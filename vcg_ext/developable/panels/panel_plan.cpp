@@ -192,9 +192,9 @@ SewnPanels PanelPlan::smoothSeams() {
 	const SewingSteps steps{[this] { return sewTogether(true); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn)); },
 							[this] { return !tests_->stopped() && sewingsLeft_ > 0; }};
-	SeamSmoothing smoothing(planned_, clusters_, dartTips_, options_, mirror_, steps);
-	SewnPanels sewn = smoothing.run();
-	lessSmooth_.emplace(smoothing.safest());
+	SeamSmoothing drawings(planned_, clusters_, dartTips_, options_, mirror_, steps);
+	SewnPanels sewn = drawings.run();
+	lessSmooth_.emplace(drawings.safest());
 	return sewn;
 }
 
