@@ -40,8 +40,8 @@ def write_units(build: Path, folder: Path, alone: bool, seen: set[Path]) -> dict
     entries: list[dict[str, str]] = []
     for parent, group in groupby(sources, key=lambda source: source.parent):
         members = list(group)
-        for first, part in enumerate([[source] for source in members] if alone else [members]):
-            unit = folder / f"{'_'.join(parent.parts[-2:])}_{first}.cpp"
+        for number, part in enumerate([[source] for source in members] if alone else [members]):
+            unit = folder / f"{'_'.join(parent.parts[-2:])}_{number}.cpp"
             unit.write_text("".join(f'#include "{source}"\n' for source in part))
             command = commands[part[0]].replace(str(part[0]), str(unit))
             entries.append({"directory": str(folder), "command": command, "file": str(unit)})

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace developable::detail {
 
@@ -13,7 +14,7 @@ namespace {
 
 /// Of every edge; nearer to its ends and to each other triangles would become too flat.
 constexpr double sharesOnEdge[] = {0.25, 0.5, 0.75};
-constexpr int perEdge = 3;
+constexpr int perEdge = std::size(sharesOnEdge);
 constexpr double apart = 0.15; ///< of an edge, between nodes of curves
 
 } // namespace
