@@ -23,7 +23,7 @@ import pyarrow.parquet
 import pymeshlab
 import pytest
 from click.testing import CliRunner
-from distributed import LocalCluster
+from distributed import Client, LocalCluster
 from meshlab_developable import filters
 from meshlab_developable.batch import Settings, State
 from meshlab_developable.batch.children import Children
@@ -452,6 +452,27 @@ def test_a_lost_scheduler_is_2_in_words_and_what_was_finished_stays(tmp_path, sl
     assert b"start the batch again" in errors
     assert b"Traceback" not in errors
     assert list(out.glob("records/*.json"))
+
+
+class _LostInTheMiddle(Client):
+    """A client whose scheduler goes away while it is asked; Dask then raises what its timers come to."""
+
+    def map(self, *arguments, **options):
+        raise RuntimeError("Cannot change state of expiring Timeout")
+
+    def unregister_worker_plugin(self, *arguments, **options):
+        raise RuntimeError("no loop")
+
+    def close(self, *arguments, **options):
+        super().close(*arguments, **options)
+        raise RuntimeError("closed twice")
+
+
+def test_whatever_dask_raises_of_a_lost_scheduler_is_2_in_words(tmp_path, monkeypatch):
+    monkeypatch.setattr("meshlab_developable.batch.run.Client", _LostInTheMiddle)
+    result = batch(copies(tmp_path / "in", 1), "--out", tmp_path / "out")
+    assert result.exit_code == 2
+    assert "expiring Timeout); start the batch again" in result.stderr
 
 
 @pytest.mark.parametrize(

@@ -117,8 +117,8 @@ def work(job: Job) -> Row:
 
 def _work(client: Client, jobs: Sequence[Job], settings: Settings) -> Iterator[Row]:
     """The rows as they come."""
-    client.register_plugin(Children(settings))
     try:
+        client.register_plugin(Children(settings))
         futures = client.map(work, jobs, pure=False)
         job_of = {future.key: job for future, job in zip(futures, jobs, strict=True)}
         for future in as_completed(futures):
@@ -127,39 +127,49 @@ def _work(client: Client, jobs: Sequence[Job], settings: Settings) -> Iterator[R
                 # Dask would fetch the row from the worker, which may be dead by now.
                 yield read_record(job) or future.result()
             elif future.status != "error":
-                raise DevelopableError("the scheduler is gone; start the batch again, and it goes on")
+                raise _lost("it answers no more")
             else:
                 row = Row(job.name, State.CRASHED, f"the worker failed: {future.exception()}")
                 with contextlib.suppress(OSError):  # which may be why it failed
                     write_record(job, row, job.fingerprint())
                 yield row
+    except DevelopableError:
+        raise
+    except Exception as error:  # Dask raises whatever its sockets and timers come to
+        raise _lost(f"{type(error).__name__}: {error}") from None
     finally:
-        with contextlib.suppress(OSError):
+        with contextlib.suppress(Exception):  # the same
             client.unregister_worker_plugin(Children.name)
+
+
+def _lost(why: str) -> DevelopableError:
+    return DevelopableError(f"the scheduler is gone ({why}); start the batch again, and it goes on")
 
 
 @contextlib.contextmanager
 def _client(scheduler: str | None, workers: int) -> Iterator[Client]:
-    if scheduler is not None:
+    with contextlib.ExitStack() as stack:
+        address = scheduler or stack.enter_context(_cluster(workers))
         try:
-            made = Client(scheduler)
+            made = Client(address)
         except (OSError, ValueError) as error:
-            raise DevelopableError(f"the scheduler {scheduler} cannot be used: {error}") from None
-        with made as client:
-            yield client
-        return
-    with (
-        LocalCluster(
-            n_workers=workers,
-            threads_per_worker=1,
-            processes=True,
-            memory_limit=0,  # children have a limit of their own
-            dashboard_address="127.0.0.1:0",
-            silence_logs=logging.CRITICAL,
-        ) as cluster,
-        Client(cluster) as client,
-    ):
-        yield client
+            raise DevelopableError(f"the scheduler {address} cannot be used: {error}") from None
+        try:
+            yield made
+        finally:
+            with contextlib.suppress(Exception):  # the scheduler may be gone, and everything is written
+                made.close()
+
+
+def _cluster(workers: int) -> LocalCluster:
+    return LocalCluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        processes=True,
+        memory_limit=0,  # children have a limit of their own
+        dashboard_address="127.0.0.1:0",
+        silence_logs=logging.CRITICAL,
+    )
 
 
 @contextlib.contextmanager
