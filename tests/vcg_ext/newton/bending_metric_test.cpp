@@ -94,6 +94,23 @@ TEST(BendingMetric, MakesTrianglesStifferThatAreHeldAtTwoCorners) {
 	EXPECT_EQ(displacement.col(places[0]), Eigen::Vector3d::Zero());
 }
 
+TEST(BendingMetric, LoosensWhatWasMadeStifferAndKeepsPlacesHeavy) {
+	const PatchAssembly assembly = assembled(jitteredGrid(5, 5, saddle));
+	const Eigen::VectorXd masses = Eigen::VectorXd::LinSpaced(assembly.placeCount(), 0, 1);
+	detail::BendingMetric loosened(assembly, {}, 0), never(assembly, {}, 0);
+	for (detail::BendingMetric* metric : {&loosened, &never})
+		metric->setSmoothness({Eigen::VectorXd::Constant(1, 1e-4)});
+	EXPECT_FALSE(loosened.loosen());
+	for (int times = 0; times < 30; ++times) // far beyond what a sum could be taken back from
+		loosened.stiffen({13, 14});
+	for (detail::BendingMetric* metric : {&loosened, &never})
+		metric->weigh(masses);
+	EXPECT_TRUE(loosened.loosen());
+	EXPECT_EQ(Eigen::MatrixXd(loosened.matrix()), Eigen::MatrixXd(never.matrix()));
+	EXPECT_EQ(loosened.weight(), never.weight());
+	EXPECT_FALSE(loosened.loosen());
+}
+
 TEST(BendingMetric, DoesWithLittleMemory) {
 	const PatchAssembly assembly = assembled(jitteredGrid(9, 9, saddle));
 	detail::BendingMetric little(assembly, {}, 1), much(assembly, {}, 0);

@@ -2,6 +2,8 @@
 #include "developable/newton/restoration.h"
 #include "newton_problems.h"
 
+#include <numeric>
+
 namespace developable::test {
 namespace {
 
@@ -22,6 +24,25 @@ TEST(Restoration, ReachesTheGoalFromNearby) {
 			  detail::Ending::Reached);
 	EXPECT_LE(angleDefects(assembly, run.shape().positions).cwiseAbs().sum(), 1e-4);
 	EXPECT_LT((run.shape().positions - nearby).cwiseAbs().maxCoeff(), 0.02);
+	expectSound(assembly, run.shape().positions);
+}
+
+/// Angle defects among triangles that had to be made very stiff hardly respond any more.
+TEST(Restoration, ReachesTheGoalWhereStiffTrianglesHoldItUp) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, bumpedCylinder));
+	Positions nearby = expectConverges(assembly, 0.01);
+	nearby += 1e-4 * Positions::Random(3, assembly.placeCount());
+	detail::NewtonProblem problem = problemOf(assembly);
+	std::vector<int> patch(12);
+	std::iota(patch.begin(), patch.end(), 400);
+	for (int times = 0; times < 20; ++times)
+		problem.metric().stiffen(patch);
+	ASSERT_FALSE(problem.metric().tooStiff());
+	const Progress silent;
+	detail::NewtonRun run(problem, nearby, 50, silent);
+	detail::GaussNewton steps(problem, run, true);
+	EXPECT_EQ(detail::Restoration(problem, run, steps, 1e-5 * steps.greatestResponse()).restore(),
+			  detail::Ending::Reached);
 	expectSound(assembly, run.shape().positions);
 }
 

@@ -119,9 +119,12 @@ void BendingMetric::setSmoothness(const Smoothness& smoothness) {
 	diagonal_ = lower_.diagonal();
 	stiffness_ = Eigen::VectorXd::Zero(assembly_.triangleCount());
 	weight_ = placeMass_;
+	loose_ = {};
 }
 
 void BendingMetric::stiffen(const std::vector<int>& triangles) {
+	if (loose_.nonZeros() == 0 && !triangles.empty())
+		loose_ = lower_;
 	for (const int triangle : triangles) {
 		const auto places = assembly_.trianglePlaces.col(triangle);
 		const double before = stiffness_[triangle];
@@ -132,10 +135,21 @@ void BendingMetric::stiffen(const std::vector<int>& triangles) {
 	}
 }
 
+bool BendingMetric::loosen() {
+	if (loose_.nonZeros() == 0)
+		return false;
+	lower_ = std::move(loose_);
+	loose_ = {};
+	stiffness_.setZero();
+	return true;
+}
+
 void BendingMetric::weigh(const Eigen::VectorXd& masses) {
 	for (int place = 0; place < assembly_.placeCount(); ++place)
 		if (!assembly_.placeFixed[place])
-			lower_.coeffRef(place, place) += masses[place];
+			for (SparseMatrix* matrix : {&lower_, &loose_})
+				if (matrix->nonZeros() > 0)
+					matrix->coeffRef(place, place) += masses[place];
 	weight_ += masses;
 }
 

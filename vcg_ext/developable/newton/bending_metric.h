@@ -67,6 +67,10 @@ public:
 	/// factorisation.
 	void stiffen(const std::vector<int>& triangles);
 
+	/// Every triangle is as stiff as at first again, and places stay as heavy as they are. Calls for another
+	/// factorisation. \return whether any was stiffer
+	bool loosen();
+
 	/// Makes places heavier: adds Σ_q mass_q |d_q|². Calls for another factorisation.
 	void weigh(const Eigen::VectorXd& masses);
 
@@ -105,6 +109,7 @@ private:
 	const NewtonTuning tuning_;
 	Eigen::VectorXd placeMass_, weight_;
 	SparseMatrix lower_;
+	SparseMatrix loose_;        // the same without what triangles are stiffer by, once any is
 	Eigen::VectorXd diagonal_;  // of the matrix at first
 	Eigen::VectorXd stiffness_; // ρ, per triangle
 	SparseSolver factorization_;

@@ -15,6 +15,11 @@ GaussNewton::GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens, 
 	greatestResponse_ = solver_.findGreatestResponse(run.shape().scaledDefects);
 }
 
+void GaussNewton::loosen() {
+	if (problem_.metric().loosen())
+		unsolvable_ = !problem_.metric().factorize();
+}
+
 double GaussNewton::step(double tau, double epsilon) {
 	problem_.jacobian().linearize(run_.shape().positions);
 	Positions whole = direction(tau, epsilon);
@@ -28,10 +33,14 @@ double GaussNewton::step(double tau, double epsilon) {
 	for (int i = 0; i < stiffenings && !stopped_; ++i) {
 		if (!problem_.stiffenFor(run_.shape().positions + whole))
 			break;
-		unsolvable_ = !problem_.metric().factorize();
+		const bool spoilt = !problem_.metric().factorize();
+		if (spoilt)
+			loosen(); // rounding can't bear what they have become
 		if (unsolvable_)
 			return 0;
 		whole = direction(tau, epsilon);
+		if (spoilt)
+			break;
 	}
 	if (stopped_)
 		return 0;

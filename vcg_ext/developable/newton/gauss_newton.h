@@ -21,6 +21,9 @@ public:
 	/// From now on triangles that a step would spoil are made stiffer.
 	void beginToStiffen() { stiffens_ = true; }
 
+	/// Triangles that were made stiffer are as they were at first. Where there are none, nothing changes.
+	void loosen();
+
 	/// About the greatest eigenvalue of J W⁻¹ Jᵀ where the run begins: what ε compares to.
 	double greatestResponse() const { return greatestResponse_; }
 

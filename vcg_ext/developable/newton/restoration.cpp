@@ -23,13 +23,20 @@ Ending Restoration::restore() {
 		if (steps_.unsolvable())
 			return Ending::Unsolvable;
 		const double left = run_.shape().scaledDefects.squaredNorm() / before;
+		if (heldUp(length, left))
+			steps_.loosen();
 		idle = left > problem_.tuning().restorationIdle ? idle + 1 : 0;
 		if (idle == problem_.tuning().restorationPatience || crawls(squares))
 			return Ending::Stuck;
-		epsilon_ = std::max(epsilon_ * epsilonFactor(length),
-							problem_.tuning().restorationLeast * steps_.greatestResponse());
+		epsilon_ = std::max(epsilon_ * epsilonFactor(length), leastEpsilon());
 	}
 	return Ending::Reached;
+}
+
+/// The least ε and a whole step, and yet much is left: angle defects among stiff triangles hardly respond.
+/// What is left to do is so little by now that they can go without.
+bool Restoration::heldUp(double length, double left) const {
+	return length == 1 && left > problem_.tuning().restorationSlow && epsilon_ <= leastEpsilon();
 }
 
 /// Slow steps in between are usual, but as many as this have hardly ever led to zero: something is in the

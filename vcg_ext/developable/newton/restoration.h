@@ -7,7 +7,8 @@
 namespace developable::detail {
 
 /// Gauss-Newton steps on |g|² alone, τ = 0, with an ε that falls with every full step, so that they converge
-/// quadratically, and rises with those that had to be cut short (Levenberg and Marquardt).
+/// quadratically, and rises with those that had to be cut short (Levenberg and Marquardt). Triangles that
+/// were made stiffer are loosened where they alone hold up the end.
 class Restoration {
 public:
 	/// \param epsilon  the first
@@ -18,7 +19,9 @@ public:
 
 private:
 	bool crawls(const std::vector<double>& squares) const;
+	bool heldUp(double length, double left) const;
 	double epsilonFactor(double length) const;
+	double leastEpsilon() const { return problem_.tuning().restorationLeast * steps_.greatestResponse(); }
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;
