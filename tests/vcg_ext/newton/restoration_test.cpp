@@ -2,8 +2,6 @@
 #include "developable/newton/restoration.h"
 #include "newton_problems.h"
 
-#include <numeric>
-
 namespace developable::test {
 namespace {
 
@@ -31,12 +29,14 @@ TEST(Restoration, ReachesTheGoalFromNearby) {
 TEST(Restoration, ReachesTheGoalWhereStiffTrianglesHoldItUp) {
 	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, bumpedCylinder));
 	Positions nearby = expectConverges(assembly, 0.01);
-	nearby += 1e-4 * Positions::Random(3, assembly.placeCount());
+	nearby += 2e-3 * Positions::Random(3, assembly.placeCount());
 	detail::NewtonProblem problem = problemOf(assembly);
-	std::vector<int> patch(12);
-	std::iota(patch.begin(), patch.end(), 400);
-	for (int times = 0; times < 20; ++times)
-		problem.metric().stiffen(patch);
+	std::vector<int> fan; // round a place whose defect only they can change
+	for (int t = 0; t < assembly.triangleCount(); ++t)
+		if ((assembly.trianglePlaces.col(t).array() == 220).any())
+			fan.push_back(t);
+	for (int times = 0; times < 22; ++times)
+		problem.metric().stiffen(fan);
 	ASSERT_FALSE(problem.metric().tooStiff());
 	const Progress silent;
 	detail::NewtonRun run(problem, nearby, 50, silent);
