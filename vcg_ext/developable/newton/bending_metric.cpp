@@ -138,7 +138,7 @@ void BendingMetric::stiffen(const std::vector<int>& triangles) {
 bool BendingMetric::loosen() {
 	if (loose_.nonZeros() == 0)
 		return false;
-	lower_ = std::move(loose_);
+	lower_.swap(loose_);
 	loose_ = {};
 	stiffness_.setZero();
 	return true;
