@@ -469,7 +469,7 @@ class _LostInTheMiddle(Client):
 
 
 def test_whatever_dask_raises_of_a_lost_scheduler_is_2_in_words(tmp_path, monkeypatch):
-    monkeypatch.setattr("meshlab_developable.batch.run.Client", _LostInTheMiddle)
+    monkeypatch.setattr(sys.modules["meshlab_developable.batch.run"], "Client", _LostInTheMiddle)
     result = batch(copies(tmp_path / "in", 1), "--out", tmp_path / "out")
     assert result.exit_code == 2
     assert "expiring Timeout); start the batch again" in result.stderr
