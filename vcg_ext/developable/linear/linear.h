@@ -4,6 +4,7 @@
 #pragma once
 
 #include "conjugate_gradients.h"
+#include "elimination_order.h"
 #include "memory.h"
 #include "repeated_sum.h"
 #include "sparse_cholesky.h"

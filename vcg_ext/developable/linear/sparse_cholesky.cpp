@@ -2,6 +2,8 @@
 // sparse_cholesky.cpp: the two factorisations that SparseCholesky may stand for.
 #include "sparse_cholesky.h"
 
+#include "elimination_order.h"
+
 #ifdef DEVELOPABLE_WITH_CHOLMOD
 #include "developable/mesh/mesh.h"
 #include "permuted_lower.h"
@@ -18,22 +20,27 @@ namespace developable {
 
 #ifdef DEVELOPABLE_WITH_CHOLMOD
 
-/// On METIS' order of elimination.
 class SparseCholesky::Factorization : public Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> {
 public:
 	Factorization() {
 		cholmod().nmethods = 1;
-		cholmod().method[0].ordering = CHOLMOD_METIS;
+		cholmod().method[0].ordering = CHOLMOD_GIVEN;
 		cholmod().print = 0;
 	}
 
 	bool positiveDefinite() const { return info() == Eigen::Success; }
 
-	void findOrder(const SparseMatrix& matrix) {
+	void analyze(const SparseMatrix& matrix, const std::vector<int>& order) {
 		permuted_ = {};
 		forgetOutOfMemory();
-		analyzePattern(matrix);
+		cholmod_free_factor(&m_cholmodFactor, &cholmod());
+		cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+		// CHOLMOD only reads the order.
+		m_cholmodFactor = cholmod_analyze_p(&view, const_cast<int*>(order.data()), nullptr, 0, &cholmod());
 		requireMemory();
+		m_isInitialized = true;
+		m_analysisIsOk = 1;
+		m_factorizationIsOk = 0;
 	}
 
 	void findNumbers(const SparseMatrix& matrix) {
@@ -123,7 +130,7 @@ public:
 	/// It factorises many other matrices too; CHOLMOD refuses them.
 	bool positiveDefinite() const { return info() == Eigen::Success && (vectorD().array() > 0).all(); }
 
-	void findOrder(const SparseMatrix& matrix) { analyzePattern(matrix); }
+	void analyze(const SparseMatrix& matrix, const std::vector<int>&) { analyzePattern(matrix); }
 	void findNumbers(const SparseMatrix& matrix) { factorize(matrix); }
 
 	template <class RightHandSides>
@@ -142,8 +149,8 @@ SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 SparseCholesky::~SparseCholesky() = default;
 
-double SparseCholesky::analyze(const SparseMatrix& matrix) {
-	factorization_->findOrder(matrix);
+double SparseCholesky::analyze(const SparseMatrix& matrix, const std::vector<int>& order) {
+	factorization_->analyze(matrix, order.empty() ? eliminationOrder(matrix) : order);
 	analyzed_ = true;
 	return factorization_->factorMemory();
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
+#include <vector>
 
 namespace developable {
 
@@ -19,8 +20,9 @@ public:
 	SparseCholesky& operator=(SparseCholesky&&) noexcept;
 	~SparseCholesky();
 
-	/// Finds the order of elimination. \return how much memory the factor will take, bytes
-	double analyze(const SparseMatrix& matrix);
+	/// \param order  see eliminationOrder; empty: that of this matrix. Eigen's own always finds its own.
+	/// \return       how much memory the factor will take, bytes
+	double analyze(const SparseMatrix& matrix, const std::vector<int>& order = {});
 
 	/// Says whether the matrix is positive definite; if not, there is nothing to solve with.
 	bool factorize(const SparseMatrix& matrix);

@@ -52,15 +52,15 @@ SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 SparseSolver::~SparseSolver() = default;
 
-void SparseSolver::prepare(const SparseMatrix& lower) {
+void SparseSolver::prepare(const SparseMatrix& lower, const std::vector<int>& order) {
 	const double limit = memoryLimit_ > 0 ? memoryLimit_ : memoryShare * availableMemory();
-	decided_ = true;
-	if (cholesky_.analyze(lower) > limit)
+	prepared_ = true;
+	if (cholesky_.analyze(lower, order) > limit)
 		iterative_ = std::make_unique<Iterative>(iteration_);
 }
 
 bool SparseSolver::factorize(const SparseMatrix& lower) {
-	if (!decided_)
+	if (!prepared_)
 		prepare(lower);
 	return iterative_ ? iterative_->compute(lower) : cholesky_.factorize(lower);
 }

@@ -24,8 +24,10 @@ public:
 	SparseSolver& operator=(SparseSolver&&) noexcept;
 	~SparseSolver();
 
-	/// Finds the order of elimination for matrices of this pattern; else the first factorisation does.
-	void prepare(const SparseMatrix& lower);
+	/// For matrices of this pattern; else the first factorisation does that.
+	/// \param order  see eliminationOrder; empty: that of this matrix
+	void prepare(const SparseMatrix& lower, const std::vector<int>& order = {});
+	bool prepared() const { return prepared_; }
 
 	/// Of the matrix only the lower triangle is read. \return whether it succeeded
 	bool factorize(const SparseMatrix& lower);
@@ -42,7 +44,7 @@ private:
 
 	double memoryLimit_;
 	Iteration iteration_;
-	bool decided_ = false;
+	bool prepared_ = false;
 	SparseCholesky cholesky_;
 	std::unique_ptr<Iterative> iterative_;
 };

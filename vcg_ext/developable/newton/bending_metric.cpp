@@ -2,12 +2,7 @@
 // bending_metric.cpp: puts the metric together, makes triangles stiffer, factorises.
 #include "bending_metric.h"
 
-#include "developable/geometry/geometry.h"
-#include "fitted_hessian.h"
-#include "rods.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace developable::detail {
 
@@ -16,106 +11,23 @@ namespace {
 /// Where memory does not do for a factorisation: solutions are part of an operator, and have to be exact.
 constexpr Iteration exactIteration = {1e-9, 5000};
 
-constexpr int trianglesInARun = 8192; ///< of which one thread finds the bending
-constexpr int runsAtOnce = 8;
-
 } // namespace
 
-Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& positions) {
-	Eigen::VectorXd areas(assembly.triangleCount());
-	for (int t = 0; t < assembly.triangleCount(); ++t) {
-		areas[t] = triangleFrame(positions, assembly.trianglePlaces.col(t)).normal.norm() / 2;
-	}
-	return areas;
-}
-
-Eigen::VectorXd placeMasses(const PatchAssembly& assembly) {
-	const Eigen::VectorXd areas = triangleAreas(assembly, assembly.originalPositions);
-	Eigen::VectorXd masses = Eigen::VectorXd::Zero(assembly.placeCount());
-	for (int t = 0; t < assembly.triangleCount(); ++t)
-		for (const int place : assembly.trianglePlaces.col(t))
-			masses[place] += areas[t] / 3;
-	return masses / areas.sum();
-}
-
-BendingMatrix::BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses,
-							 const Smoothness& smoothness, double rods)
-	: assembly_(assembly), areas_(triangleAreas(assembly, assembly.originalPositions)),
-	  partArea_(partAreas(assembly, areas_)) {
-	entries_.reserve(assembly.placeCount() + 21 * static_cast<std::size_t>(assembly.triangleCount()));
-	for (int place = 0; place < assembly.placeCount(); ++place)
-		entries_.emplace_back(place, place, masses[place]);
-	addPlates(smoothness);
-	if (rods > 0)
-		addRods(smoothness, rods);
-}
-
-SparseMatrix BendingMatrix::lower() const {
-	SparseMatrix result(assembly_.placeCount(), assembly_.placeCount());
-	result.setFromTriplets(entries_.begin(), entries_.end());
-	return result;
-}
-
-void BendingMatrix::addPlates(const Smoothness& smoothness) {
-	Eigen::VectorXd patchArea = Eigen::VectorXd::Zero(assembly_.patchCount());
-	for (int t = 0; t < assembly_.triangleCount(); ++t)
-		patchArea[assembly_.patchOfTriangle[t]] += areas_[t];
-	Eigen::VectorXd ofPart(assembly_.patchCount());
-	for (int t = 0; t < assembly_.triangleCount(); ++t)
-		ofPart[assembly_.patchOfTriangle[t]] = partArea_[assembly_.trianglePlaces(0, t)];
-	const Eigen::VectorXd weights = (smoothness.ofPatches.array() * patchArea.array() * patchArea.array() +
-									 smoothness.ofPart * ofPart.array() * ofPart.array()) /
-									areas_.sum();
-	const FittedHessian hessian(assembly_, areas_);
-	const auto findRun = [&](int begin, std::vector<Entry>& entries) {
-		const int end = std::min(begin + trianglesInARun, assembly_.triangleCount());
-		for (int t = begin; t < end; ++t) {
-			const TriangleBending bending = hessian.bending(t);
-			addSquares(bending.places, bending.rows, weights[assembly_.patchOfTriangle[t]], entries);
-		}
-	};
-	for (int first = 0; first < assembly_.triangleCount(); first += runsAtOnce * trianglesInARun) {
-		std::vector<std::vector<Entry>> entries(runsAtOnce);
-		std::vector<Task> tasks;
-		for (int run = 0, begin = first; run < runsAtOnce && begin < assembly_.triangleCount(); ++run) {
-			tasks.push_back({1, [&, run, begin](const Progress&) { findRun(begin, entries[run]); }});
-			begin += trianglesInARun;
-		}
-		runTasks(tasks, 0, {});
-		for (const std::vector<Entry>& ofRun : entries)
-			entries_.insert(entries_.end(), ofRun.begin(), ofRun.end());
-	}
-}
-
-void BendingMatrix::addRods(const Smoothness& smoothness, double rods) {
-	const double wholeArea = areas_.sum();
-	Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(assembly_.placeCount()); // β
-	for (int copy = 0; copy < assembly_.copyCount(); ++copy) {
-		double& ofPlace = stiffness[assembly_.placeOfCopy[copy]];
-		ofPlace =
-			std::max(ofPlace, rods * (smoothness.ofPatches[assembly_.patchOfCopy[copy]] + smoothness.ofPart));
-	}
-	for (const RodJoint& joint : rodJoints(assembly_, {}))
-		addSquares({joint.begin(), joint.end()}, rodBending(assembly_, joint).transpose(),
-				   stiffness[joint[1]] * std::pow(partArea_[joint[1]], 2.5) / wholeArea, entries_);
-}
-
-template <class Rows>
-void BendingMatrix::addSquares(const std::vector<int>& places, const Rows& rows, double weight,
-							   std::vector<Entry>& entries) const {
-	for (std::size_t i = 0; i < places.size(); ++i)
-		for (std::size_t j = 0; j < places.size(); ++j)
-			if (places[i] >= places[j] && !assembly_.placeFixed[places[i]] &&
-				!assembly_.placeFixed[places[j]])
-				entries.emplace_back(places[i], places[j], weight * rows.col(i).dot(rows.col(j)));
-}
-
 BendingMetric::BendingMetric(const PatchAssembly& assembly, const NewtonTuning& tuning, double memoryLimit)
-	: assembly_(assembly), tuning_(tuning), placeMass_(placeMasses(assembly)),
+	: assembly_(assembly), tuning_(tuning), bending_(assembly), placeMass_(placeMasses(assembly)),
 	  factorization_(memoryLimit, exactIteration) {}
 
+void BendingMetric::takeOver(const BendingMetric& other) {
+	bending_.takeOver(other.bending_);
+	eliminationOrder_ = other.eliminationOrder_;
+}
+
+void BendingMetric::eliminateIn(std::vector<int> order) {
+	eliminationOrder_ = std::move(order);
+}
+
 void BendingMetric::setSmoothness(const Smoothness& smoothness) {
-	lower_ = BendingMatrix(assembly_, placeMass_, smoothness, tuning_.borderStiffness).lower();
+	lower_ = bending_.lower(placeMass_, smoothness, tuning_.borderStiffness);
 	diagonal_ = lower_.diagonal();
 	stiffness_ = Eigen::VectorXd::Zero(assembly_.triangleCount());
 	weight_ = placeMass_;
@@ -160,6 +72,8 @@ bool BendingMetric::tooStiff() const {
 }
 
 bool BendingMetric::factorize() {
+	if (!factorization_.prepared())
+		factorization_.prepare(lower_, eliminationOrder_);
 	return factorization_.factorize(lower_);
 }
 
@@ -178,9 +92,8 @@ double BendingMetric::squaredNorm(const Positions& displacement) const {
 Positions BendingMetric::bendingForce(const Positions& positions, const Smoothness& smoothness) const {
 	PatchAssembly free = assembly_;
 	free.placeFixed.assign(free.placeCount(), 0);
-	const SparseMatrix bending =
-		BendingMatrix(free, Eigen::VectorXd::Zero(free.placeCount()), smoothness, tuning_.borderStiffness)
-			.lower();
+	const SparseMatrix bending = BendingMatrix(free).lower(Eigen::VectorXd::Zero(free.placeCount()),
+														   smoothness, tuning_.borderStiffness);
 	Positions force = (bending.selfadjointView<Eigen::Lower>() * positions.transpose()).transpose();
 	for (int place = 0; place < free.placeCount(); ++place)
 		if (assembly_.placeFixed[place])

@@ -2,55 +2,10 @@
 // bending_metric.h: how long a displacement is: how far it moves the surface, and how much it bends.
 #pragma once
 
-#include "developable/linear/linear.h"
-#include "developable/mesh/mesh.h"
+#include "bending_matrix.h"
 #include "newton_tuning.h"
 
 namespace developable::detail {
-
-/// The area of each triangle.
-Eigen::VectorXd triangleAreas(const PatchAssembly& assembly, const Positions& positions);
-
-/// m_q, the share that each place has of the whole area: a third of the triangles round it.
-Eigen::VectorXd placeMasses(const PatchAssembly& assembly);
-
-/// How dear it is to bend, beside to move. Numbers without unit, which mean the same on a model of any size
-/// and tessellation.
-struct Smoothness {
-	Eigen::VectorXd ofPatches; ///< α, per patch: against the patch's own area
-	double ofPart = 0;         ///< φ: against the area of the part that hangs together
-};
-
-/// Puts together the matrix of a squared length of displacements, (Σ_q m_q |d_q|² + Σ_p (α A_p² + φ A_o²) ∫_p
-/// |d''|²) / A: A_p is the area of patch p, A_o that of the part that it belongs to, A that of all patches,
-/// and the integral that of FittedHessian. Rows of places that are held still are those of a diagonal matrix.
-class BendingMatrix {
-public:
-	/// \param masses  m_q / A, per place
-	/// \param rods    β / (α + φ); 0: no rods
-	BendingMatrix(const PatchAssembly& assembly, const Eigen::VectorXd& masses, const Smoothness& smoothness,
-				  double rods);
-
-	/// Its lower triangle.
-	SparseMatrix lower() const;
-
-private:
-	using Entry = Eigen::Triplet<double>;
-
-	void addPlates(const Smoothness& smoothness);
-
-	void addRods(const Smoothness& smoothness, double rods);
-
-	/// Adds the squared norm of weight · rows · (values at the places).
-	template <class Rows>
-	void addSquares(const std::vector<int>& places, const Rows& rows, double weight,
-					std::vector<Entry>& entries) const;
-
-	const PatchAssembly& assembly_;
-	const Eigen::VectorXd areas_;    // of the triangles
-	const Eigen::VectorXd partArea_; // A_o, per place
-	std::vector<Entry> entries_;
-};
 
 /// The metric W of the constrained Newton method: a BendingMatrix with the places' own masses. Triangles can
 /// be made stiffer.
@@ -58,6 +13,9 @@ class BendingMetric {
 public:
 	/// \param memoryLimit  see SparseSolver
 	BendingMetric(const PatchAssembly& assembly, const NewtonTuning& tuning, double memoryLimit);
+
+	/// What can be found once for all metrics of one assembly is taken over from another that has found it.
+	void takeOver(const BendingMetric& other);
 
 	/// The metric anew: every triangle is as stiff as at first.
 	void setSmoothness(const Smoothness& smoothness);
@@ -80,6 +38,15 @@ public:
 
 	/// Has to be called before solve. \return false where rounding spoils the system
 	bool factorize();
+
+	/// To be called before the first factorisation, which else finds an order.
+	/// \param order  see there; of all places
+	void eliminateIn(std::vector<int> order);
+	/// Empty unless it was given.
+	const std::vector<int>& eliminationOrder() const { return eliminationOrder_; }
+
+	/// What the metric is made of.
+	BendingMatrix& bending() { return bending_; }
 
 	/// m_q.
 	const Eigen::VectorXd& placeMass() const { return placeMass_; }
@@ -107,6 +74,8 @@ private:
 
 	const PatchAssembly& assembly_;
 	const NewtonTuning tuning_;
+	BendingMatrix bending_;
+	std::vector<int> eliminationOrder_;
 	Eigen::VectorXd placeMass_, weight_;
 	SparseMatrix lower_;
 	SparseMatrix loose_;        // the same without what triangles are stiffer by, once any is

@@ -13,7 +13,8 @@ PartialAssembly coarserLevel(const PatchAssembly& assembly, int placesWanted) {
 
 Positions carriedOver(const PatchAssembly& fine, const PartialAssembly& coarse,
 					  const Positions& coarseDisplacement) {
-	return detail::Prolongation(fine, coarse, NewtonTuning()).of(coarseDisplacement);
+	detail::BendingMatrix bending(fine);
+	return detail::Prolongation(fine, coarse, bending, NewtonTuning()).of(coarseDisplacement);
 }
 
 } // namespace developable

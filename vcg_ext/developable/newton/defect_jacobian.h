@@ -62,6 +62,10 @@ public:
 	/// J for displacements along one direction a place, rows x places.
 	SparseMatrix along(const Positions& directions) const;
 
+	/// The rows in the order of their places, a turn's being the middle one.
+	/// \param placeOrder  all places
+	std::vector<int> rowOrder(const std::vector<int>& placeOrder) const;
+
 	/// The lower triangle of J M⁻¹ Jᵀ + shift, M being the places' masses; its pattern never changes.
 	const SparseMatrix& massProduct(double shift);
 

@@ -15,7 +15,9 @@ namespace developable::detail {
 class DirectSystem {
 public:
 	/// \param memoryLimit  see SparseSolver
-	explicit DirectSystem(double memoryLimit) : system_(memoryLimit) {}
+	/// \param placeOrder   see NormalSystem
+	explicit DirectSystem(double memoryLimit, std::vector<int> placeOrder = {})
+		: system_(memoryLimit, std::move(placeOrder)) {}
 
 	/// \param metric    W, its lower triangle
 	/// \param response  3 x places; becomes W⁻¹ Jᵀ y

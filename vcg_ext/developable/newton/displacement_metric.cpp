@@ -2,7 +2,7 @@
 // displacement_metric.cpp: the metric with the same smoothness in every patch.
 #include "displacement_metric.h"
 
-#include "bending_metric.h"
+#include "bending_matrix.h"
 #include "fair_shape.h"
 #include "soundness.h"
 
@@ -13,9 +13,8 @@ namespace {
 SparseMatrix metricOf(const PatchAssembly& assembly, double smoothness, double shapeSmoothness) {
 	const detail::Smoothness dear = {Eigen::VectorXd::Constant(assembly.patchCount(), smoothness),
 									 shapeSmoothness};
-	return detail::BendingMatrix(assembly, detail::placeMasses(assembly), dear,
-								 NewtonTuning().borderStiffness)
-		.lower();
+	return detail::BendingMatrix(assembly).lower(detail::placeMasses(assembly), dear,
+												 NewtonTuning().borderStiffness);
 }
 
 } // namespace

@@ -43,9 +43,10 @@ public:
 		responses_.push_back(row.normalized());
 		scales_.push_back(1 / row.norm());
 		gram_ += responses_.back() * responses_.back().transpose();
-		eigen_.compute(gram_);
 	}
 
+	/// To be called when all are added, for the time being.
+	void analyze() { eigen_.compute(gram_); }
 	double leastEigenvalue() const { return eigen_.eigenvalues()[0]; }
 
 	/// What one unit of each hinge's jump adds to the Hessian, as a vector: 3 x hinges.
@@ -92,6 +93,7 @@ TriangleBending FittedHessian::bending(int triangle) const {
 		const auto& hinges = unfolded.hinges();
 		for (; fitted < hinges.size(); ++fitted)
 			fit.add(hinges[fitted].response);
+		fit.analyze();
 		if (round == 0)
 			own = fitted;
 		if (fit.leastEigenvalue() > wellEnough)

@@ -5,8 +5,8 @@
 namespace developable::detail {
 
 MultiplierSolver::MultiplierSolver(NewtonProblem& problem, int slow)
-	: problem_(problem), factorization_(problem.memoryLimit()), direct_(problem.memoryLimit()),
-	  slowProducts_(slow) {}
+	: problem_(problem), factorization_(problem.memoryLimit()),
+	  direct_(problem.memoryLimit(), problem.metric().eliminationOrder()), slowProducts_(slow) {}
 
 Eigen::VectorXd MultiplierSolver::apply(const Eigen::VectorXd& multipliers) {
 	const DefectJacobian& jacobian = problem_.jacobian();
@@ -49,14 +49,20 @@ bool MultiplierSolver::solveDirectly(const Eigen::VectorXd& b, double epsilon, b
 					: direct_.solve(metric, problem_.jacobian(), b, epsilon, response);
 }
 
+bool MultiplierSolver::factorize(double epsilon) {
+	DefectJacobian& jacobian = problem_.jacobian();
+	const SparseMatrix& k = jacobian.massProduct(problem_.tuning().slackMass * epsilon);
+	if (!factorization_.prepared())
+		factorization_.prepare(k, jacobian.rowOrder(problem_.metric().eliminationOrder()));
+	return factorization_.factorize(k);
+}
+
 Iterated MultiplierSolver::iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
 								   const std::function<bool()>& mayGoOn) {
 	const NewtonTuning& tuning = problem_.tuning();
 	inverseMass_ = problem_.metric().weight().cwiseInverse();
 	// Should rounding spoil K, plain conjugate gradients remain.
-	const bool withPreconditioner =
-		epsilon < tuning.plainAbove * greatestResponse_ &&
-		factorization_.factorize(problem_.jacobian().massProduct(tuning.slackMass * epsilon));
+	const bool withPreconditioner = epsilon < tuning.plainAbove * greatestResponse_ && factorize(epsilon);
 	const auto system = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return apply(x) + epsilon * x; };
 	const auto precondition = [&](const Eigen::VectorXd& residual) {
 		return withPreconditioner ? preconditioned(residual, epsilon) : residual;

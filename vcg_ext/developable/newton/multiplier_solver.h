@@ -38,6 +38,8 @@ public:
 			   const std::function<bool()>& mayGoOn, Positions& response, bool foreseen = false);
 
 private:
+	/// K.
+	bool factorize(double epsilon);
 	Iterated iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
 					 const std::function<bool()>& mayGoOn);
 	Eigen::VectorXd preconditioned(const Eigen::VectorXd& residual, double epsilon) const;

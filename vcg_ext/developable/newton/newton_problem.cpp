@@ -12,17 +12,41 @@ NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const PatchAssembly&
 	: assembly_(assembly), reference_(reference), goal_(goal), tuning_(tuning), memoryLimit_(memoryLimit),
 	  diagonal_(boxDiagonal(assembly.originalPositions)), metric_(reference, tuning, memoryLimit),
 	  jacobian_(assembly, metric_.placeMass(), tuning.borderTurn * pi / 180), soundness_(assembly, tuning),
-	  normalSystem_(memoryLimit), shapeSmoothness_(shapeSmoothness) {}
+	  shapeSmoothness_(shapeSmoothness) {}
+
+std::unique_ptr<NewtonProblem> NewtonProblem::another() const {
+	auto result = std::make_unique<NewtonProblem>(assembly_, reference_, goal_, tuning_, memoryLimit_,
+												  shapeSmoothness_);
+	result->metric_.takeOver(metric_);
+	return result;
+}
 
 void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
 	metric_.setSmoothness({smoothness, shapeSmoothness_});
+	if (metric_.eliminationOrder().empty())
+		findEliminationOrder();
 	jacobian_.setPlaceMass(metric_.weight());
+}
+
+/// Of a matrix with the entries of all systems: with W's alone, steps along the normals take ten times as
+/// long.
+void NewtonProblem::findEliminationOrder() {
+	const Positions& original = assembly_.originalPositions;
+	NormalSystem system(memoryLimit_);
+	system.findPattern(jacobian_.along(placeNormals(assembly_, original)), metric_.matrix());
+	metric_.eliminateIn(eliminationOrder(system.lower()));
+}
+
+NormalSystem& NewtonProblem::normalSystem() {
+	if (!normalSystem_)
+		normalSystem_.emplace(memoryLimit_, metric_.eliminationOrder());
+	return *normalSystem_;
 }
 
 void NewtonProblem::prepareNormalSystem() {
 	const Positions& original = assembly_.originalPositions;
 	jacobian_.linearize(original);
-	normalSystem_.prepare(jacobian_.along(placeNormals(assembly_, original)), metric_.matrix());
+	normalSystem().prepare(jacobian_.along(placeNormals(assembly_, original)), metric_.matrix());
 }
 
 Shape NewtonProblem::shapeAt(const Positions& positions) const {

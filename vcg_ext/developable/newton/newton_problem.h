@@ -10,6 +10,7 @@
 #include "work_budget.h"
 
 #include <memory>
+#include <optional>
 
 namespace developable::detail {
 
@@ -39,10 +40,7 @@ public:
 				  const NewtonTuning& tuning, double memoryLimit, double shapeSmoothness);
 
 	/// The same problem as it was at first, with a budget of its own: for another thread.
-	std::unique_ptr<NewtonProblem> another() const {
-		return std::make_unique<NewtonProblem>(assembly_, reference_, goal_, tuning_, memoryLimit_,
-											   shapeSmoothness_);
-	}
+	std::unique_ptr<NewtonProblem> another() const;
 
 	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, per patch
@@ -82,18 +80,20 @@ public:
 	const BendingMetric& metric() const { return metric_; }
 	DefectJacobian& jacobian() { return jacobian_; }
 	const Soundness& soundness() const { return soundness_; }
-	/// That of steps along the normals, whose order of elimination serves for all.
-	NormalSystem& normalSystem() { return normalSystem_; }
-	/// Finds that order beforehand.
+	/// That of steps along the normals.
+	NormalSystem& normalSystem();
+	/// Finds its pattern beforehand.
 	void prepareNormalSystem();
 	/// Gives back the memory of its factor.
-	void forgetNormalSystem() { normalSystem_ = NormalSystem(memoryLimit_); }
+	void forgetNormalSystem() { normalSystem_.reset(); }
 
 	/// What all work on this problem is taken from; at first without limit.
 	WorkBudget& budget() const { return *budget_; }
 	void setBudget(std::shared_ptr<WorkBudget> budget) { budget_ = std::move(budget); }
 
 private:
+	void findEliminationOrder();
+
 	const PatchAssembly &assembly_, &reference_;
 	const CurvatureGoal goal_;
 	const NewtonTuning tuning_;
@@ -101,7 +101,7 @@ private:
 	BendingMetric metric_;
 	DefectJacobian jacobian_;
 	Soundness soundness_;
-	NormalSystem normalSystem_;
+	std::optional<NormalSystem> normalSystem_;
 	const double shapeSmoothness_; // φ
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 };

@@ -7,7 +7,7 @@ namespace developable::detail {
 void NormalSystem::prepare(const SparseMatrix& along, const SparseMatrix& metric) {
 	findPattern(along, metric);
 	solver_ = SparseSolver(memoryLimit_);
-	solver_.prepare(lower_);
+	solver_.prepare(lower_, eliminationOrder(placeOrder_, perPlace_));
 }
 
 bool NormalSystem::factorize(const SparseMatrix& along, const Eigen::Matrix3Xd& directions,

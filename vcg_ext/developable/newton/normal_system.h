@@ -10,17 +10,22 @@
 namespace developable::detail {
 
 /// A + ε NᵀWN, where A = (JN)ᵀ(JN): a row and a column for each direction in which a place may go, one (its
-/// normal) or three (the coordinates). The pattern and its order of elimination are found once; after that
+/// normal) or three (the coordinates). The pattern is found once; after that
 /// numbers are written where they belong, without a sparse matrix in between.
 class NormalSystem {
 public:
 	/// \param memoryLimit  see SparseSolver
-	explicit NormalSystem(double memoryLimit) : memoryLimit_(memoryLimit), solver_(memoryLimit) {}
+	/// \param placeOrder   see eliminationOrder: of a matrix with a row for each place; empty: found here
+	explicit NormalSystem(double memoryLimit, std::vector<int> placeOrder = {})
+		: memoryLimit_(memoryLimit), placeOrder_(std::move(placeOrder)), solver_(memoryLimit) {}
 
-	/// Finds pattern and order; else the first factorisation does.
+	/// Finds the pattern; else the first factorisation does.
 	/// \param along   JN, rows x directions, always of the same pattern
 	/// \param metric  the lower triangle of W
 	void prepare(const SparseMatrix& along, const SparseMatrix& metric);
+
+	/// The same without an order of elimination, for the pattern itself.
+	void findPattern(const SparseMatrix& along, const SparseMatrix& metric);
 
 	/// \param directions  N, 3 x directions; those of a place are neighbours, and at right angles to each
 	///                    other
@@ -37,7 +42,7 @@ public:
 	/// See SparseSolver.
 	bool iterates() const { return solver_.iterates(); }
 
-	/// Its lower triangle, as it was factorised last.
+	/// Its lower triangle, as it was factorised last, or its pattern.
 	const SparseMatrix& lower() const { return lower_; }
 
 private:
@@ -45,11 +50,11 @@ private:
 			  double epsilon);
 	using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-	void findPattern(const SparseMatrix& along, const SparseMatrix& metric);
 	void addMetric(const Eigen::Matrix3Xd& directions, const SparseMatrix& metric, int column,
 				   double epsilon);
 
 	double memoryLimit_;
+	std::vector<int> placeOrder_;
 	SparseSolver solver_;
 	SparseMatrix lower_;
 	Eigen::Index metricEntries_ = 0;  ///< that the pattern is for

@@ -4,8 +4,8 @@
 
 namespace developable::detail {
 
-Prolongation::Prolongation(const PatchAssembly& fine, const PartialAssembly& coarse,
-						   const NewtonTuning& tuning, double memoryLimit)
+Prolongation::Prolongation(const PatchAssembly& fine, const PartialAssembly& coarse, BendingMatrix& bending,
+						   const NewtonTuning& tuning, const std::vector<int>& placeOrder, double memoryLimit)
 	: placeOfCoarse_(coarse.wholePlace), coarseMasses_(placeMasses(coarse.assembly)),
 	  places_(fine.placeCount()), solver_(memoryLimit) {
 	const double coarseCount = coarse.assembly.placeCount();
@@ -14,7 +14,9 @@ Prolongation::Prolongation(const PatchAssembly& fine, const PartialAssembly& coa
 	masses(placeOfCoarse_) += coarseMasses_;
 	const Eigen::VectorXd smoothness = Eigen::VectorXd::Constant(
 		fine.patchCount(), tuning.prolongationBending / (coarseCount * coarseCount));
-	solvable_ = solver_.factorize(BendingMatrix(fine, masses, {smoothness}, 0).lower());
+	const SparseMatrix matrix = bending.lower(masses, {smoothness}, 0);
+	solver_.prepare(matrix, placeOrder);
+	solvable_ = solver_.factorize(matrix);
 }
 
 Positions Prolongation::of(const Positions& coarseDisplacement) const {

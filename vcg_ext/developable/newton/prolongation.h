@@ -2,7 +2,8 @@
 // prolongation.h: from the displacement of a coarse assembly to one of the fine assembly.
 #pragma once
 
-#include "bending_metric.h"
+#include "bending_matrix.h"
+#include "newton_tuning.h"
 
 namespace developable::detail {
 
@@ -13,9 +14,11 @@ namespace developable::detail {
 /// system does not depend on the coarse displacement, and can be factorised before that is known.
 class Prolongation {
 public:
+	/// \param bending      of the fine assembly
+	/// \param placeOrder   see eliminationOrder; empty: found here
 	/// \param memoryLimit  see SparseSolver
-	Prolongation(const PatchAssembly& fine, const PartialAssembly& coarse, const NewtonTuning& tuning,
-				 double memoryLimit = 0);
+	Prolongation(const PatchAssembly& fine, const PartialAssembly& coarse, BendingMatrix& bending,
+				 const NewtonTuning& tuning, const std::vector<int>& placeOrder = {}, double memoryLimit = 0);
 
 	/// \return 3 x fine places
 	Positions of(const Positions& coarseDisplacement) const;

@@ -6,34 +6,21 @@
 
 namespace developable::detail {
 
-namespace {
-
-constexpr int muchMemory = 200000; ///< places beyond which two preparations at once would take too much
-
-} // namespace
-
 Refinement::Refinement(const PatchAssembly& fine, const PartialAssembly& coarse, const NewtonTuning& tuning,
 					   double memoryLimit, MakeProblem makeProblem)
 	: fine_(fine), coarse_(coarse), tuning_(tuning), memoryLimit_(memoryLimit),
 	  makeProblem_(std::move(makeProblem)) {}
 
 void Refinement::prepareBeside(const std::function<void()>& solveCoarse) {
-	const bool oneAfterTheOther = fine_.placeCount() > muchMemory;
-	TaskAhead normalSystem([this](const Progress&) { problem().prepareNormalSystem(); });
-	TaskAhead prolongation([&](const Progress&) {
+	TaskAhead preparation([&](const Progress&) {
 		makeProlongation();
-		if (oneAfterTheOther)
-			problem().prepareNormalSystem();
+		problem().prepareNormalSystem();
 	});
-	if (threadsAtHand() > 1) {
-		prolongation.begin();
-		if (!oneAfterTheOther)
-			normalSystem.begin();
-	}
+	if (threadsAtHand() > 1)
+		preparation.begin();
 	solveCoarse();
-	for (TaskAhead* const task : {&prolongation, &normalSystem})
-		if (task->begun())
-			task->finish({});
+	if (preparation.begun())
+		preparation.finish({});
 }
 
 Positions Refinement::prolonged(const Positions& coarseDisplacement) {

@@ -10,7 +10,7 @@
 
 namespace developable::detail {
 
-/// The factorised prolongation and the fine problem with its metric and its order of elimination. They are
+/// The factorised prolongation and the fine problem with its metric and the patterns of its systems. They are
 /// made while the coarse level is solved where another thread is at hand, else when they are asked for.
 class Refinement {
 public:
@@ -29,7 +29,11 @@ public:
 	NewtonProblem& problem();
 
 private:
-	void makeProlongation() { prolongation_.emplace(fine_, coarse_, tuning_, memoryLimit_); }
+	void makeProlongation() {
+		BendingMetric& metric = problem().metric();
+		prolongation_.emplace(fine_, coarse_, metric.bending(), tuning_, metric.eliminationOrder(),
+							  memoryLimit_);
+	}
 
 	const PatchAssembly& fine_;
 	const PartialAssembly& coarse_;
