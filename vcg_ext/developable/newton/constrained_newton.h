@@ -34,16 +34,15 @@ struct ConstrainedNewtonReport : OptimizationReport {
 	std::vector<double> patchCurvature;
 	int worstPatch = 0; ///< the patch with most of it left, or whose border overlaps itself most
 	int worstCopy = 0;  ///< the copy of that patch with the largest absolute angle defect, or where that is
-	double smoothness = 0; ///< the largest α that a patch was given; more than asked for where that failed
 };
 
 /// Moves the places to the nearest shape found in which every patch is developable: C of each patch is at
 /// most the curvature tolerance and no angle defect above the angle tolerance. No place goes farther than
 /// the largest displacement, not by a bit, whatever the result. No triangle is flipped and
 /// none becomes a sliver (see detail::Soundness). Where that leads nowhere, triangles that are in the way are
-/// made stiffer, and patches then tried again with 4, 16 and 64 times the smoothness; patches that need a cut
-/// do not hold up the others. Parts (see partsOf) are solved each by itself, side by side; the result is the
-/// same to the last bit on any number of threads, and that of a part in any company.
+/// made stiffer; patches that need a cut do not hold up the others. Parts (see partsOf) are solved each by
+/// itself, side by side; the result is the same to the last bit on any number of threads, and that of a part
+/// in any company.
 ///
 /// \param positions  3 x places: where to start, and the result; untouched when stopped. Distance is measured
 ///                   from the assembly's original positions.

@@ -90,14 +90,6 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 	return Ending::Stuck;
 }
 
-constexpr double muchCurvature = 0.1; ///< share of C at the start: more left is far from developable
-
-/// Triangles all over were in the way and much curvature is left: the shape itself needs a cut, and a
-/// smoother displacement would not help it.
-bool hopeless(const NewtonProblem& problem, const NewtonRun& run) {
-	return problem.metric().tooStiff() && run.shape().curvature > muchCurvature * run.startCurvature();
-}
-
 } // namespace
 
 AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
@@ -118,7 +110,6 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	// Within a bound that is smaller than what breaks the symmetry there may have been no shape on the way.
 	const bool near = farthestMove(problem.assembly(), run.nearest()) <= problem.goal().farthest;
 	result.positions = near ? run.nearest() : start;
-	result.hopeless = hopeless(problem, run);
 	return result;
 }
 

@@ -8,7 +8,7 @@ namespace developable::detail {
 
 /// What an attempt may do.
 struct AttemptSetting {
-	Eigen::VectorXd smoothness; ///< α, per patch
+	double smoothness = 0;      ///< α
 	bool limitsBorders = false; ///< borders may not kink
 	bool stiffens = false;      ///< triangles that are in the way are made stiffer
 	int maxIterations = 0;
@@ -23,7 +23,6 @@ struct AttemptResult {
 	double nearestDevelopable = 0;
 	bool metLimits = false;      ///< borders came to their limits
 	bool bordersLimited = false; ///< to the end
-	bool hopeless = false;       ///< the shape itself needs a cut, and more smoothness would not help
 };
 
 /// From the start to a developable shape within the bound on displacements: a continuation and a restoration.

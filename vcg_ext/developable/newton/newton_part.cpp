@@ -77,8 +77,8 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	// Of several panels the last may get there on the others' way.
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
 		outcome.ending = Ending::Reached;
-	return {statusOf(outcome.ending, part), outcome.ending,     outcome.iterations,
-			std::move(outcome.positions),   outcome.smoothness, outcome.nearestDevelopable};
+	return {statusOf(outcome.ending, part), outcome.ending, outcome.iterations, std::move(outcome.positions),
+			outcome.nearestDevelopable};
 }
 
 } // namespace developable::detail

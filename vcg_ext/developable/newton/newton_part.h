@@ -13,7 +13,6 @@ struct PartOutcome {
 	Ending ending = Ending::Reached;
 	int iterations = 0;
 	Positions positions;
-	double smoothness = 0;         ///< see ConstrainedNewtonReport
 	double nearestDevelopable = 0; ///< see OptimizationReport
 };
 

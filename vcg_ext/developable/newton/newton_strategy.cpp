@@ -97,7 +97,7 @@ NewtonOutcome NewtonStrategy::solveShortest(const Level& level, const Positions&
 	problem->jacobian().freeBorders(true);
 	NewtonRun run(*problem, start, maxIterations_, progress);
 	const Ending ending = ShortestSteps(*problem, run).run();
-	return {ending, run.iterations(), run.shape().positions, smoothness_};
+	return {ending, run.iterations(), run.shape().positions};
 }
 
 NewtonStrategy::Level NewtonStrategy::levelOf(const PatchAssembly& assembly, double coarseness) const {
@@ -198,7 +198,7 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 	goOnToLeastSquares(*problem, Positions(outcome.positions), steps, outcome, progress);
 	// The least curved may be where borders had to heed limits and the bound at once: a bad start.
 	if (tooFar && outcome.ending == Ending::Stuck)
-		goOnToLeastSquares(*problem, Positions(outcome.unlimited), steps, outcome, progress);
+		goOnToLeastSquares(*problem, Positions(outcome.free), steps, outcome, progress);
 	return outcome;
 }
 
@@ -230,19 +230,14 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, NewtonProblem& problem,
 	Ending ending = stepsWithin(problem, run, problem.goal().farthest, solved ? 2 : 1);
 	if (ending == Ending::Reached && pullBackWithinPreferred(problem, run) == Ending::Stopped)
 		ending = Ending::Stopped;
-	NewtonOutcome outcome{ending,
-						  run.iterations(),
-						  run.nearest(),
-						  coarse.smoothness,
-						  coarse.nearestDevelopable,
+	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.nearestDevelopable,
 						  coarse.bordersLimited};
 	if (ending != Ending::Stuck || !solved)
 		return outcome;
 	problem.forgetNormalSystem();
 	const AttemptResult restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
-	return {restored.ending,           outcome.iterations + restored.iterations,
-			restored.positions,        std::max(coarse.smoothness, smoothness_),
+	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
 			coarse.nearestDevelopable, coarse.bordersLimited};
 }
 

@@ -132,10 +132,9 @@ struct NewtonTuning {
 	double symmetryBreaking = 1e-4; ///< share of the diagonal
 	double symmetryWaves = 0.7;     ///< in a diagonal
 
-	// Attempts with more smoothness.
-	int attempts = 5;
-	double workBeforeNext = 300;   ///< a place, until another thread begins the next attempt; most end before
-	double smoothnessIncrease = 4; ///< factor, from an attempt to the next
+	// The free attempt, after the careful one.
+	int stiffensAtOnce = 0;      ///< 0: triangles are not made stiffer until nothing else leads on
+	double workBeforeNext = 300; ///< a place, until another thread begins it; most careful ones end before
 
 	// Levels.
 	int coarsest = 1500;              ///< places; so few are solved directly

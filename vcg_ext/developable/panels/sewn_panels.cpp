@@ -206,7 +206,7 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	ConstrainedNewtonOptions options;
 	options.tuning.preferredMove = preferredMove;
 	if (brief)
-		options.tuning.attempts = 1;
+		options.tuning.stiffensAtOnce = 0;
 	Positions positions = assembly.originalPositions;
 	if (material.bounds.any())
 		bringWithinBounds(assembly, positions, material, options.maxDisplacement, brief, progress);
