@@ -61,7 +61,7 @@ TEST(Attempts, KeepTheLeastCurvedShapeOfAll) {
 			detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.3}, {}, 0);
 			const int steps = careful ? NewtonTuning().limitedSteps : 200;
 			const detail::AttemptResult one =
-				detail::attempt(problem, assembly.originalPositions, {3e-6, careful, !careful, steps}, {});
+				detail::attempt(problem, assembly.originalPositions, {3e-6, careful, steps}, {});
 			EXPECT_LE(curvatureOf(assembly, best.positions), curvatureOf(assembly, one.positions));
 		}
 	}
@@ -75,7 +75,7 @@ TEST(Attempts, LeaveOutTheFreeOneWhereNoLimitsWereMet) {
 		detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.3}, tuning, 0);
 		const Positions& start = assembly.originalPositions;
 		const int all = detail::attemptFrom(problem, start, 3e-6, 1000, {}).iterations;
-		return all - detail::attempt(problem, start, {3e-6, true, false, tuning.limitedSteps}, {}).iterations;
+		return all - detail::attempt(problem, start, {3e-6, true, tuning.limitedSteps}, {}).iterations;
 	};
 	EXPECT_EQ(stepsBeyondTheCareful(360), 0);
 	EXPECT_GT(stepsBeyondTheCareful(0.1), 0);

@@ -71,9 +71,7 @@ private:
 	/// \param again  after a careful attempt
 	void beFree(bool again);
 
-	AttemptSetting freeSetting() const {
-		return {smoothness_, false, problem_.tuning().stiffensAtOnce > 0, maxIterations_ - best_.iterations};
-	}
+	AttemptSetting freeSetting() const { return {smoothness_, false, maxIterations_ - best_.iterations}; }
 	AttemptResult takeCareful(int steps);
 	AttemptResult takeFree();
 	/// Counts steps.
@@ -98,7 +96,7 @@ AttemptResult Attempts::takeCareful(int steps) {
 		ahead_ = std::make_unique<AttemptAhead>(problem_, start_, freeSetting());
 	const double patience =
 		problem_.budget().used() + tuning.workBeforeNext * problem_.assembly().placeCount();
-	return attempt(problem_, start_, {smoothness_, true, false, steps},
+	return attempt(problem_, start_, {smoothness_, true, steps},
 				   [&](double fraction, const std::string& message) {
 					   if (ahead_ && !ahead_->begun() && problem_.budget().used() > patience)
 						   ahead_->begin();
@@ -152,7 +150,7 @@ bool Attempts::beCareful(int steps) {
 void Attempts::beFree(bool again) {
 	const AttemptResult result = takeFree();
 	note(result);
-	// The attempt before had ended by itself, and stiffer triangles are what can't be solved for.
+	// The attempt before had ended by itself.
 	if ((again && result.ending == Ending::Unsolvable) ||
 		(result.ending == Ending::OutOfSteps && problem_.budget().spent()))
 		best_.ending = Ending::Stuck;

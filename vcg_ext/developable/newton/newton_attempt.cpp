@@ -79,9 +79,6 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 				   double& nearest) {
 	if (!run.farOff())
 		return ending == Ending::Reached ? withinPreferred(problem, run, steps) : ending;
-	const Ending pulledBack = pullBackWithin(problem, run, problem.goal().farthest);
-	if (pulledBack != Ending::Stuck)
-		return pulledBack;
 	ReturnWithinBound way(problem, run, steps, problem.goal().farthest);
 	const Ending ofReturn = way.run();
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
@@ -97,7 +94,7 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	problem.setSmoothness(setting.smoothness);
 	problem.jacobian().freeBorders(!setting.limitsBorders);
 	NewtonRun run(problem, withoutSymmetry(problem, start), setting.maxIterations, progress);
-	GaussNewton steps(problem, run, setting.stiffens);
+	GaussNewton steps(problem, run, false);
 	AttemptResult result;
 	result.ending = Ending::Unsolvable;
 	if (!steps.unsolvable()) {

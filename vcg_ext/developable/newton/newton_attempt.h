@@ -10,7 +10,6 @@ namespace developable::detail {
 struct AttemptSetting {
 	double smoothness = 0;      ///< α
 	bool limitsBorders = false; ///< borders may not kink
-	bool stiffens = false;      ///< triangles that are in the way are made stiffer
 	int maxIterations = 0;
 };
 

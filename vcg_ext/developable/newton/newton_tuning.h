@@ -16,7 +16,7 @@ struct NewtonTuning {
 	// The metric.
 	double borderStiffness = 0.3; ///< β / α: how dear it is to bend a border beside bending the surface
 	double borderTurn = 4.8;      ///< degrees that a border may turn by more than before
-	int limitedSteps = 60;        ///< until borders may turn as they like
+	int limitedSteps = 100;       ///< until borders may turn as they like
 	int foresights = 2;           ///< in a step: times that limits are added which it would exceed
 
 	// Fairness.
@@ -100,12 +100,15 @@ struct NewtonTuning {
 	double sliverMargin = 1.01; ///< for what rounding to the host's scalar may take away
 
 	// Back to within the bound on displacements.
-	int returnRounds = 6;         ///< each with heavier places
-	double returnEpsilon = 0.03;  ///< share of the first, at which a round begins
-	double returnAim = 0.95;      ///< share of the bound beyond which places are made heavier
-	double heavyPlace = 1000;     ///< of its mass, at the bound on a finer level
-	double returnProgress = 0.97; ///< share of the nearest so far that a round may leave
-	double returnReach = 3;       ///< of the bound: shapes farther away are given up
+	int returnRounds = 8;
+	double returnStep = 0.3;       ///< share of the distance by which a round aims nearer
+	double returnLeastStep = 0.05; ///< half after a round that led nowhere, until it is less than this
+	double returnEpsilon = 1e-3;   ///< of the restoration, share of the greatest response
+	double returnAim = 0.95;       ///< share of the bound: the last round aims there
+	double returnWeight = 100;     ///< of a place at the nearer bound, beside its mass
+	double returnHeaviest = 1.2;   ///< share of that bound beyond which places become no heavier
+	double heavyPlace = 1000;      ///< of its mass, at the bound on a finer level
+	double returnReach = 3;        ///< of the bound: shapes farther away are given up
 	double preferredMove = 0.02;  ///< share of the diagonal: less far is a bound that is kept if that is easy
 	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
 	double preferredReach = 1.3;  ///< of it: shapes farther away are taken as they are
@@ -133,7 +136,6 @@ struct NewtonTuning {
 	double symmetryWaves = 0.7;     ///< in a diagonal
 
 	// The free attempt, after the careful one.
-	int stiffensAtOnce = 0;      ///< 0: triangles are not made stiffer until nothing else leads on
 	double workBeforeNext = 300; ///< a place, until another thread begins it; most careful ones end before
 
 	// Levels.

@@ -1,77 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// return_within_bound.cpp: heavier places, round by round.
+// return_within_bound.cpp: nearer bounds, heavy places and restorations, round by round.
 #include "return_within_bound.h"
 
-#include "continuation.h"
 #include "restoration.h"
 
 namespace developable::detail {
 
 ReturnWithinBound::ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound)
 	: problem_(problem), run_(run), steps_(steps), bound_(bound), masses_(problem.metric().placeMass()),
-	  nearest_(run.shape().farthest) {}
+	  found_(run.shape()) {}
 
 Ending ReturnWithinBound::run() {
 	const NewtonTuning& tuning = problem_.tuning();
-	if (nearest_ > tuning.returnReach * bound_)
+	if (found_.farthest > tuning.returnReach * bound_)
 		return Ending::Stuck;
 	steps_.beginToStiffen();
-	makeFarPlacesHeavier();
-	for (int i = 0; i < tuning.returnRounds; ++i) {
-		const Ending ending = round();
+	double share = tuning.returnStep;
+	for (int left = tuning.returnRounds; left > 0 && share >= tuning.returnLeastStep; --left) {
+		steps_.loosen();
+		const double before = found_.farthest;
+		const Ending ending = round(std::max(tuning.returnAim * bound_, (1 - share) * before));
 		if (ending != Ending::Reached && ending != Ending::Stuck)
 			return ending;
-		if (ending == Ending::Reached && run_.shape().farthest <= bound_)
-			return Ending::Reached;
-		if (problem_.metric().tooStiff())
-			return Ending::Stuck;
-		if (ending == Ending::Stuck) {
-			makeLighter();
-		} else {
-			if (run_.shape().farthest > tuning.returnProgress * nearest_ && i > 0)
-				return Ending::Stuck;
-			makeFarPlacesHeavier();
+		const double now = run_.shape().farthest;
+		if (ending == Ending::Stuck || now >= before) {
+			share /= 2;
+			continue;
 		}
+		found_ = run_.shape();
+		if (now <= bound_)
+			return Ending::Reached;
+		// At this pace the bound is out of reach.
+		if (std::log(bound_ / now) < left * std::log(now / before))
+			return Ending::Stuck;
 	}
 	return Ending::Stuck;
 }
 
-void ReturnWithinBound::makeFarPlacesHeavier() {
-	nearest_ = std::min(nearest_, run_.shape().farthest);
-	const Positions displacement = problem_.displacement(run_.shape());
-	const double aim = problem_.tuning().returnAim * bound_;
-	Eigen::VectorXd more = Eigen::VectorXd::Zero(masses_.size());
-	for (int place = 0; place < masses_.size(); ++place) {
-		const double share = displacement.col(place).norm() / aim;
-		if (share > 1)
-			more[place] = (std::pow(share, 16) - 1) * masses_[place];
-	}
-	masses_ += more;
-	problem_.weigh(more);
-}
-
-/// Places much heavier than their neighbours may leave no way: half as much, as powers go.
-void ReturnWithinBound::makeLighter() {
-	const Eigen::VectorXd& own = problem_.metric().placeMass();
-	const Eigen::VectorXd lighter = (masses_.array() * own.array()).sqrt();
-	problem_.weigh(lighter - masses_);
-	masses_ = lighter;
-}
-
-Ending ReturnWithinBound::round() {
+Ending ReturnWithinBound::round(double aim) {
+	makeFarPlacesHeavy(aim);
 	if (!problem_.metric().factorize())
 		return Ending::Unsolvable;
-	if (!run_.takeStep())
-		return Ending::OutOfSteps;
-	Continuation continuation(problem_, run_, steps_, problem_.tuning().returnEpsilon);
-	steps_.forgetMultipliers();
-	steps_.step(1, continuation.epsilon());
-	if (steps_.stopped())
-		return Ending::Stopped;
-	const Ending ending = continuation.follow();
-	if (ending != Ending::Settled && ending != Ending::Stuck)
-		return ending;
-	return Restoration(problem_, run_, steps_, continuation.epsilon()).restore();
+	Positions move = Positions::Zero(3, masses_.size());
+	pullBack(problem_.assembly().originalPositions, found_.positions, move, aim);
+	if (!problem_.soundness().spare(found_.positions, move))
+		return Ending::Stuck;
+	run_.goBackTo(problem_.shapeAt(found_.positions + move));
+	const double epsilon = problem_.tuning().returnEpsilon * steps_.greatestResponse();
+	return Restoration(problem_, run_, steps_, epsilon).restore();
+}
+
+void ReturnWithinBound::makeFarPlacesHeavy(double aim) {
+	const NewtonTuning& tuning = problem_.tuning();
+	const Positions displacement = found_.positions - problem_.assembly().originalPositions;
+	const Eigen::ArrayXd shares = displacement.colwise().norm().transpose().array() / aim;
+	const Eigen::VectorXd masses = problem_.metric().placeMass().array() *
+								   (1 + tuning.returnWeight * shares.min(tuning.returnHeaviest).pow(16));
+	problem_.weigh(masses - masses_);
+	masses_ = masses;
 }
 
 } // namespace developable::detail

@@ -7,10 +7,11 @@
 
 namespace developable::detail {
 
-/// Goes on from a developable shape with a place farther away than it may be. Places beyond the bound, or
-/// nearly, are made heavier in the metric, the more so the farther they are, and a continuation leads to
-/// where the distance is least now; so again and again. That is Lawson's way (1961) from least squares to the
-/// least of the largest.
+/// Walks on from a developable shape with a place farther away than it may be. In each round places beyond a
+/// nearer bound are pulled back to it and made heavy in the metric, the more so the farther they are, and a
+/// restoration takes the shortest steps to where all is developable again: a little farther away than that
+/// bound, but nearer than before. A continuation from so far away would first go back to the original, where
+/// heavy places leave no way.
 class ReturnWithinBound {
 public:
 	/// \param bound  on displacements, length
@@ -21,21 +22,20 @@ public:
 	Ending run();
 
 	/// The least largest displacement of the developable shapes on the way, the first included; length.
-	double nearest() const { return nearest_; }
+	double nearest() const { return found_.farthest; }
 
 private:
-	void makeFarPlacesHeavier();
-	void makeLighter();
-
-	/// A continuation and a restoration, from the present shape.
-	Ending round();
+	/// From the nearest shape so far.
+	/// \param aim  the nearer bound, length
+	Ending round(double aim);
+	void makeFarPlacesHeavy(double aim);
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	GaussNewton& steps_;
 	const double bound_;
 	Eigen::VectorXd masses_; ///< of the places, as they have become
-	double nearest_;
+	Shape found_;            ///< the nearest that is developable
 };
 
 } // namespace developable::detail

@@ -32,7 +32,6 @@ ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
 	options.maxDisplacement = limits.maxDisplacement;
 	options.tuning.wayMean = meanOnWay * limits.meanDisplacement / limits.maxDisplacement;
 	options.tuning.wayFarthest = farthestOnWay;
-	options.tuning.stiffensAtOnce = 0;
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
 	options.tuning.preferredMove = 0;

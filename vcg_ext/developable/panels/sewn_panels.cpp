@@ -205,8 +205,6 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	const std::vector<double> limits = limitsOfPanels(surface, maxDisplacement);
 	ConstrainedNewtonOptions options;
 	options.tuning.preferredMove = preferredMove;
-	if (brief)
-		options.tuning.stiffensAtOnce = 0;
 	Positions positions = assembly.originalPositions;
 	if (material.bounds.any())
 		bringWithinBounds(assembly, positions, material, options.maxDisplacement, brief, progress);
