@@ -125,11 +125,13 @@ int imageOf(const CutSurface& surface, int panel, const std::vector<int>& mirror
 		->first;
 }
 
-/// The larger of the panels of some triangles.
-int largerOf(const CutSurface& surface, const std::vector<int>& triangles) {
-	return surface.panelOf(*std::max_element(triangles.begin(), triangles.end(), [&](int a, int b) {
-		return surface.area(surface.panelOf(a)) < surface.area(surface.panelOf(b));
-	}));
+/// Of the panels of some triangles the smallest and the largest.
+std::pair<int, int> smallestAndLargest(const CutSurface& surface, const std::vector<int>& triangles) {
+	const auto [smallest, largest] =
+		std::minmax_element(triangles.begin(), triangles.end(), [&](int a, int b) {
+			return surface.area(surface.panelOf(a)) < surface.area(surface.panelOf(b));
+		});
+	return {surface.panelOf(*smallest), surface.panelOf(*largest)};
 }
 
 } // namespace
@@ -159,13 +161,12 @@ bool takeBackSymmetrically(CutSurface& surface, const std::vector<int>& panels, 
 	}
 	bool any = false;
 	for (const int panel : all) {
-		const bool crossesPlane = imageOf(surface, panel, mirrored) == panel;
 		const std::vector<int> triangles = surface.trianglesOf(panel);
 		if (!history.takeBack(surface, panel))
 			continue;
 		any = true;
-		const int larger = largerOf(surface, triangles);
-		if (crossesPlane && imageOf(surface, larger, mirrored) == larger)
+		const auto [smaller, larger] = smallestAndLargest(surface, triangles);
+		if (smaller != larger && imageOf(surface, smaller, mirrored) == larger)
 			history.takeBack(surface, larger); // it lost what was joined on one side: now on the other, too
 	}
 	return any;
