@@ -73,6 +73,9 @@ public:
 	/// Of the factor, once the pattern is known, bytes: its numbers, and half as many zeros between them.
 	double factorMemory() { return 1.5 * 8 * cholmod().lnz; }
 
+	/// Of a factorisation, multiplications and additions.
+	double operations() { return cholmod().fl; }
+
 private:
 	static constexpr Eigen::Index largeMatrix = 2000000; ///< its places would take too much memory
 
@@ -140,6 +143,9 @@ public:
 
 	/// Of the factor, once the pattern is known, bytes.
 	double factorMemory() const { return 12.0 * static_cast<double>(m_matrix.nonZeros()); }
+
+	/// Of a factorisation, multiplications and additions.
+	double operations() const { return m_nonZerosPerCol.cast<double>().squaredNorm(); }
 };
 
 #endif
@@ -152,6 +158,7 @@ SparseCholesky::~SparseCholesky() = default;
 double SparseCholesky::analyze(const SparseMatrix& matrix, const std::vector<int>& order) {
 	factorization_->analyze(matrix, order.empty() ? eliminationOrder(matrix) : order);
 	analyzed_ = true;
+	operations_ = factorization_->operations();
 	return factorization_->factorMemory();
 }
 

@@ -24,6 +24,9 @@ public:
 	/// \return       how much memory the factor will take, bytes
 	double analyze(const SparseMatrix& matrix, const std::vector<int>& order = {});
 
+	/// What a factorisation takes, in multiplications and additions, once the pattern is known.
+	double operations() const { return operations_; }
+
 	/// Says whether the matrix is positive definite; if not, there is nothing to solve with.
 	bool factorize(const SparseMatrix& matrix);
 
@@ -36,6 +39,7 @@ private:
 
 	std::unique_ptr<Factorization> factorization_;
 	bool analyzed_ = false;
+	double operations_ = 0;
 };
 
 } // namespace developable

@@ -36,6 +36,9 @@ public:
 	Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) const;
 	Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSides) const;
 
+	/// What a factorisation takes, see SparseCholesky.
+	double operations() const { return cholesky_.operations(); }
+
 	/// Whether memory would not do for a factorisation.
 	bool iterates() const { return iterative_ != nullptr; }
 

@@ -27,12 +27,13 @@ public:
 	bool begun() const { return task_.begun(); }
 
 	/// Waits for its end. \return whether it would have gone the same way by itself, one after the other
-	/// \param maxIterations  that there are by now
-	/// \param budget         what work there is by now; becomes less by what this took
-	bool finish(int maxIterations, WorkBudget& budget, const Progress& progress) {
+	/// \param setting  what it is to do, as far as is known by now
+	/// \param budget   what work there is by now; becomes less by what this took
+	bool finish(const AttemptSetting& setting, WorkBudget& budget, const Progress& progress) {
 		task_.finish(progress);
 		const bool same = result_.ending == Ending::Stopped ||
-						  (result_.iterations < maxIterations && budget_->used() < budget.left());
+						  (setting.stiffens == setting_.stiffens &&
+						   result_.iterations < setting.maxIterations && budget_->used() < budget.left());
 		if (same)
 			budget.spend(budget_->used());
 		return same;
@@ -71,7 +72,9 @@ private:
 	/// \param again  after a careful attempt
 	void beFree(bool again);
 
-	AttemptSetting freeSetting() const { return {smoothness_, false, maxIterations_ - best_.iterations}; }
+	AttemptSetting freeSetting() const {
+		return {smoothness_, false, maxIterations_ - best_.iterations, stiffens_};
+	}
 	AttemptResult takeCareful(int steps);
 	AttemptResult takeFree();
 	/// Counts steps.
@@ -86,14 +89,14 @@ private:
 	const Eigen::VectorXd startDefects_;
 	Eigen::VectorXd leastDefects_;
 	NewtonOutcome best_;
+	bool stiffens_ = false; // the free one
 	std::unique_ptr<AttemptAhead> ahead_;
 };
 
 AttemptResult Attempts::takeCareful(int steps) {
 	const NewtonTuning& tuning = problem_.tuning();
 	const Progress progress = partOf(progress_, 0, shareOfCareful);
-	if (threadsAtHand() > 1)
-		ahead_ = std::make_unique<AttemptAhead>(problem_, start_, freeSetting());
+	const WorkReserve reserve(problem_.budget(), tuning.reserveOfCareful);
 	const double patience =
 		problem_.budget().used() + tuning.workBeforeNext * problem_.assembly().placeCount();
 	return attempt(problem_, start_, {smoothness_, true, steps},
@@ -107,7 +110,7 @@ AttemptResult Attempts::takeCareful(int steps) {
 AttemptResult Attempts::takeFree() {
 	const Progress progress = partOf(progress_, shareOfCareful, 1);
 	const AttemptSetting setting = freeSetting();
-	if (ahead_ && ahead_->begun() && ahead_->finish(setting.maxIterations, problem_.budget(), progress))
+	if (ahead_ && ahead_->begun() && ahead_->finish(setting, problem_.budget(), progress))
 		return ahead_->result();
 	return attempt(problem_, start_, setting, progress);
 }
@@ -135,6 +138,8 @@ void Attempts::keepIfBest(const AttemptResult& result) {
 }
 
 bool Attempts::beCareful(int steps) {
+	if (threadsAtHand() > 1)
+		ahead_ = std::make_unique<AttemptAhead>(problem_, start_, freeSetting());
 	AttemptResult result = takeCareful(steps);
 	if (result.ending == Ending::OutOfSteps && steps < maxIterations_)
 		result.ending = Ending::Stuck;
@@ -143,8 +148,10 @@ bool Attempts::beCareful(int steps) {
 		return true;
 	keepIfBest(result);
 	best_.bordersLimited = result.ending == Ending::Reached && result.bordersLimited;
-	// Where borders came to no limit, the free attempt would hardly go another way.
-	return result.ending != Ending::Stuck || !result.metLimits;
+	// Where much is left, thin triangles may have been in the way; where not, and borders came to no limit,
+	// the free attempt would hardly go another way.
+	stiffens_ = !result.cameNear;
+	return result.ending != Ending::Stuck || (result.cameNear && !result.metLimits);
 }
 
 void Attempts::beFree(bool again) {

@@ -16,6 +16,7 @@ constexpr std::size_t fewRows = 40;
 bool DirectSystem::solve(const SparseMatrix& metric, const DefectJacobian& jacobian, const Eigen::VectorXd& b,
 						 double epsilon, Positions& response) {
 	const Eigen::Matrix3Xd coordinates = Eigen::Matrix3d::Identity().replicate(1, metric.cols());
+	factorizedLast_ = true;
 	rowsFactorized_ = jacobian.foreseenRows().size();
 	factorized_ = system_.factorize(jacobian.matrix(), coordinates, metric, epsilon) && !system_.iterates();
 	if (!factorized_)
@@ -32,6 +33,7 @@ bool DirectSystem::solveForeseen(const SparseMatrix& metric, const DefectJacobia
 	const std::size_t count = rows.size() - rowsFactorized_;
 	if (!factorized_ || count > fewRows)
 		return solve(metric, jacobian, b, epsilon, response);
+	factorizedLast_ = false;
 	const int newRows = static_cast<int>(count);
 	Eigen::MatrixXd transposed(3 * metric.cols(), newRows + 1); // Rᵀ and f
 	for (int i = 0; i < newRows; ++i)

@@ -30,9 +30,15 @@ public:
 	bool solveForeseen(const SparseMatrix& metric, const DefectJacobian& jacobian, const Eigen::VectorXd& b,
 					   double epsilon, Positions& response);
 
+	/// What a factorisation takes, see SparseCholesky; known after the first.
+	double operations() const { return system_.operations(); }
+
+	/// Whether the last solution took one.
+	bool factorizedLast() const { return factorizedLast_; }
+
 private:
 	NormalSystem system_;
-	bool factorized_ = false;
+	bool factorized_ = false, factorizedLast_ = false;
 	std::size_t rowsFactorized_ = 0; // of those that were foreseen
 };
 

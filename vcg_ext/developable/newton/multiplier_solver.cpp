@@ -35,18 +35,22 @@ bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, Eigen::Ve
 	products_ = 0;
 	if (iterate(b, epsilon, y, mayGoOn) == Iterated::Stopped)
 		return false;
-	slow_ = canFactorize_ && products_ > slowProducts_;
+	slow_ = canFactorize_ && (products_ > slowProducts_ || preconditionerIsDear());
 	response = problem_.metric().solve(problem_.jacobian().applyTransposed(y));
 	return true;
 }
 
 bool MultiplierSolver::solveDirectly(const Eigen::VectorXd& b, double epsilon, bool foreseen,
 									 Positions& response) {
-	problem_.budget().spend(double(problem_.tuning().directWork) * problem_.assembly().placeCount());
 	const SparseMatrix& metric = problem_.metric().matrix();
 	factorized_ = true;
-	return foreseen ? direct_.solveForeseen(metric, problem_.jacobian(), b, epsilon, response)
-					: direct_.solve(metric, problem_.jacobian(), b, epsilon, response);
+	const bool solved = foreseen ? direct_.solveForeseen(metric, problem_.jacobian(), b, epsilon, response)
+								 : direct_.solve(metric, problem_.jacobian(), b, epsilon, response);
+	if (direct_.factorizedLast())
+		problem_.budget().spendOperations(direct_.operations());
+	else
+		problem_.budget().spend(double(problem_.tuning().foreseenWork) * problem_.assembly().placeCount());
+	return solved;
 }
 
 bool MultiplierSolver::factorize(double epsilon) {
@@ -54,7 +58,14 @@ bool MultiplierSolver::factorize(double epsilon) {
 	const SparseMatrix& k = jacobian.massProduct(problem_.tuning().slackMass * epsilon);
 	if (!factorization_.prepared())
 		factorization_.prepare(k, jacobian.rowOrder(problem_.metric().eliminationOrder()));
+	problem_.budget().spendOperations(factorization_.operations());
 	return factorization_.factorize(k);
+}
+
+/// K is dense where many triangles share a place or an edge.
+bool MultiplierSolver::preconditionerIsDear() const {
+	return factorization_.operations() >
+		   problem_.tuning().dearPreconditioner * problem_.assembly().placeCount();
 }
 
 Iterated MultiplierSolver::iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,

@@ -40,6 +40,7 @@ public:
 private:
 	/// K.
 	bool factorize(double epsilon);
+	bool preconditionerIsDear() const;
 	Iterated iterate(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
 					 const std::function<bool()>& mayGoOn);
 	Eigen::VectorXd preconditioned(const Eigen::VectorXd& residual, double epsilon) const;

@@ -30,6 +30,10 @@ Positions withoutSymmetry(const NewtonProblem& problem, const Positions& start) 
 	return problem.soundness().holds(moved) ? moved : start;
 }
 
+bool cameNear(const NewtonProblem& problem, const NewtonRun& run) {
+	return run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
+}
+
 /// A restoration that leads no further: borders may turn as they like now, and triangles that are in the way
 /// are made stiffer.
 Ending restoreMoreFreely(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon) {
@@ -47,8 +51,8 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 		return ending;
 	const Ending restored = Restoration(problem, run, steps, continuation.epsilon()).restore();
 	// Where places are held, what is looked for is the least squares of g.
-	const bool goesOn = !holdsPlaces(problem.assembly()) && !problem.metric().tooStiff() &&
-						run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
+	const bool goesOn =
+		!holdsPlaces(problem.assembly()) && !problem.metric().tooStiff() && cameNear(problem, run);
 	if (restored != Ending::Stuck || !goesOn)
 		return restored;
 	return restoreMoreFreely(problem, run, steps, continuation.epsilon());
@@ -94,11 +98,12 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	problem.setSmoothness(setting.smoothness);
 	problem.jacobian().freeBorders(!setting.limitsBorders);
 	NewtonRun run(problem, withoutSymmetry(problem, start), setting.maxIterations, progress);
-	GaussNewton steps(problem, run, false);
+	GaussNewton steps(problem, run, setting.stiffens);
 	AttemptResult result;
 	result.ending = Ending::Unsolvable;
 	if (!steps.unsolvable()) {
 		result.ending = approach(problem, run, steps);
+		result.cameNear = cameNear(problem, run);
 		result.ending = withinBound(result.ending, problem, run, steps, result.nearestDevelopable);
 	}
 	result.metLimits = steps.metLimits();

@@ -11,6 +11,7 @@ struct AttemptSetting {
 	double smoothness = 0;      ///< α
 	bool limitsBorders = false; ///< borders may not kink
 	int maxIterations = 0;
+	bool stiffens = false; ///< triangles that are in the way are made stiffer from the start
 };
 
 /// What came of it.
@@ -21,6 +22,7 @@ struct AttemptResult {
 	/// How far the nearest developable shape found moves a place, where that is too far, length; else 0.
 	double nearestDevelopable = 0;
 	bool metLimits = false;      ///< borders came to their limits
+	bool cameNear = false;       ///< little of the curvature was left at some time
 	bool bordersLimited = false; ///< to the end
 };
 

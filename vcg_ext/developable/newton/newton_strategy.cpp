@@ -167,11 +167,13 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
 	NewtonOutcome coarseOutcome;
+	std::optional<WorkReserve> reserve(std::in_place, *budget_, tuning_.reserveOfCoarse);
 	Refinement refinement(assembly, coarse, tuning_, memoryLimit_, [&] { return fineProblemOf(level); });
 	refinement.prepareBeside([&] {
 		coarseOutcome =
 			coarser(descends(level)).solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
 	});
+	reserve.reset();
 	if (coarseOutcome.ending == Ending::Stopped || coarseOutcome.ending == Ending::TooFar) {
 		coarseOutcome.positions = start;
 		return coarseOutcome;

@@ -83,7 +83,8 @@ struct NewtonTuning {
 	int systemSteps = 200;    ///< of conjugate gradients; some tens are usual
 	int slowSystem = 15;      ///< more products: the systems of this run are factorised from then on
 	int slowStiffSystem = 15; ///< the same of a run that makes triangles stiffer
-	int directWork = 30;      ///< of a system that is factorised, in steps of conjugate gradients
+	int foreseenWork = 8;     ///< of rows added to one that is factorised, in steps of conjugate gradients
+	double dearPreconditioner = 1e5; ///< operations a place: more than a factorised system usually takes
 	double plainAbove = 0.01; ///< share of the greatest response: with such an ε no preconditioner pays
 	double slackMass = 100;   ///< κ of the preconditioner
 
@@ -119,11 +120,13 @@ struct NewtonTuning {
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
 	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
 
-	// How much work a part may take, in units of WorkBudget. Few take a quarter of it: rough grids of very
-	// thin triangles.
-	double workPerPlace = 20000;
-	double workOnSmall = 5e7;  ///< at least: seconds
-	double workTogether = 0.6; ///< share of it before patches are frozen
+	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200
+	// steps.
+	double workPerPlace = 6000;
+	double workOnSmall = 1e6;      ///< at least
+	double reserveOfCareful = 0.4; ///< share of it that is left to the free attempt
+	double reserveOfCoarse = 0.2;  ///< and to a finer level
+	double workTogether = 0.6;     ///< share of it before patches are frozen
 
 	// Runs that only ask whether there is a shape near. On the way from the original to zero curvature the
 	// distance grows: what has come too far is given up.

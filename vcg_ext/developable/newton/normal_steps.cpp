@@ -47,6 +47,8 @@ bool NormalSteps::factorize() {
 		epsilon_ = tuning.firstDamping * along_.squaredNorm() / problem_.metric().matrix().diagonal().sum();
 	NormalSystem& system = problem_.normalSystem();
 	for (int i = 0; system.factorize(along_, normals_, problem_.metric().matrix(), epsilon_); ++i) {
+		problem_.budget().spendOperations(system.operations());
+		problem_.budget().spend(problem_.assembly().placeCount());
 		firstStep_ = wholeStep();
 		if (i == tuning.stiffenings || problem_.metric().tooStiff() ||
 			!problem_.stiffenFor(positions + firstStep_))

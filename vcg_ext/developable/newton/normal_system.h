@@ -42,6 +42,9 @@ public:
 	/// See SparseSolver.
 	bool iterates() const { return solver_.iterates(); }
 
+	/// What a factorisation takes, see SparseCholesky.
+	double operations() const { return solver_.operations(); }
+
 	/// Its lower triangle, as it was factorised last, or its pattern.
 	const SparseMatrix& lower() const { return lower_; }
 
