@@ -25,6 +25,17 @@ TEST(SparseCholesky, SolvesAsEigensOwnFactorisationDoes) {
 	}
 }
 
+TEST(SparseCholesky, KnowsWhatAFactorisationTakes) {
+	constexpr int rows = 30; // of a column with k numbers k² operations
+	SparseCholesky cholesky;
+	cholesky.analyze(SparseMatrix(Eigen::MatrixXd::Ones(rows, rows).sparseView()));
+	EXPECT_DOUBLE_EQ(cholesky.operations(), rows * (rows + 1) * (2 * rows + 1) / 6);
+	SparseMatrix diagonal(rows, rows);
+	diagonal.setIdentity();
+	cholesky.analyze(diagonal);
+	EXPECT_DOUBLE_EQ(cholesky.operations(), rows);
+}
+
 TEST(SparseCholesky, KnowsMatricesThatAreNotPositiveDefinite) {
 	SparseMatrix indefinite = plate();
 	indefinite.coeffRef(7, 7) = -1;

@@ -145,7 +145,7 @@ public:
 	double factorMemory() const { return 12.0 * static_cast<double>(m_matrix.nonZeros()); }
 
 	/// Of a factorisation, multiplications and additions.
-	double operations() const { return m_nonZerosPerCol.cast<double>().squaredNorm(); }
+	double operations() const { return (m_nonZerosPerCol.cast<double>().array() + 1).square().sum(); }
 };
 
 #endif

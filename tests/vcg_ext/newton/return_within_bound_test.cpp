@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/return_within_bound.h"
+
+#include "developable/newton/continuation.h"
+#include "developable/newton/restoration.h"
+#include "newton_problems.h"
+
+namespace developable::test {
+namespace {
+
+/// A developable shape near a steep bump, with places far away, and what goes on from it.
+struct FarAway {
+	explicit FarAway(const PatchAssembly& bump, double share)
+		: assembly(bump), problem(problemOf(bump)), run(problem, bump.originalPositions, 200, silent),
+		  steps(problem, run, false) {
+		goThere();
+		bound = share * run.shape().farthest;
+	}
+
+	void goThere() {
+		detail::Continuation continuation(problem, run, steps);
+		continuation.follow();
+		detail::Restoration(problem, run, steps, continuation.epsilon()).restore();
+	}
+
+	const PatchAssembly& assembly;
+	const Progress silent;
+	detail::NewtonProblem problem;
+	detail::NewtonRun run;
+	detail::GaussNewton steps;
+	double bound = 0; ///< length
+};
+
+TEST(ReturnWithinBound, ReachesADevelopableShapeThatIsNearer) {
+	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, steepBump));
+	for (const double share : {0.95, 0.85}) {
+		FarAway far(assembly, share);
+		ASSERT_TRUE(far.run.shape().reached);
+		detail::ReturnWithinBound way(far.problem, far.run, far.steps, far.bound);
+		ASSERT_EQ(way.run(), detail::Ending::Reached) << share;
+		EXPECT_LE(far.run.shape().farthest, far.bound);
+		EXPECT_EQ(way.nearest(), far.run.shape().farthest);
+		EXPECT_LE(angleDefects(assembly, far.run.shape().positions).cwiseAbs().sum(), 1e-4);
+		expectSound(assembly, far.run.shape().positions);
+	}
+}
+
+TEST(ReturnWithinBound, SaysHowNearItCameWhereTheBoundIsOutOfReach) {
+	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, steepBump));
+	FarAway far(assembly, 0.4);
+	const double before = far.run.shape().farthest;
+	detail::ReturnWithinBound way(far.problem, far.run, far.steps, far.bound);
+	EXPECT_EQ(way.run(), detail::Ending::Stuck);
+	EXPECT_LT(way.nearest(), before);
+	EXPECT_GT(way.nearest(), far.bound);
+}
+
+TEST(ReturnWithinBound, DoesNotBeginFromMuchTooFar) {
+	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, steepBump));
+	FarAway far(assembly, 0.1);
+	const detail::Shape before = far.run.shape();
+	const int steps = far.run.iterations();
+	EXPECT_EQ(detail::ReturnWithinBound(far.problem, far.run, far.steps, far.bound).run(),
+			  detail::Ending::Stuck);
+	EXPECT_EQ(far.run.iterations(), steps);
+	EXPECT_EQ(far.run.shape().positions, before.positions);
+}
+
+} // namespace
+} // namespace developable::test
