@@ -15,7 +15,7 @@ namespace {
 
 constexpr int trianglesInARun = 8192; ///< of which one thread finds the bending
 constexpr int runsAtOnce = 8;
-constexpr double rounding = 1e-12; ///< of weights of plates
+constexpr double roundingOfWeights = 1e-12; ///< of weights of plates
 
 } // namespace
 
@@ -63,7 +63,7 @@ SparseMatrix BendingMatrix::plates(const Smoothness& smoothness) {
 		(smoothness.ofPatches.array() * patchArea.square() + smoothness.ofPart * partArea.square()) /
 		areas_.sum();
 	const double multiple = weights[0] / unit[0];
-	if (((weights - multiple * unit).abs() > rounding * weights).any())
+	if (((weights - multiple * unit).abs() > roundingOfWeights * weights).any())
 		return plates(Eigen::VectorXd(weights));
 	if (!unitPlates_)
 		unitPlates_ = std::make_shared<const SparseMatrix>(plates(Eigen::VectorXd(unit)));
