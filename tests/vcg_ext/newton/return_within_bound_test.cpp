@@ -39,7 +39,7 @@ TEST(ReturnWithinBound, ReachesADevelopableShapeThatIsNearer) {
 		detail::ReturnWithinBound way(far.problem, far.run, far.steps, far.bound);
 		ASSERT_EQ(way.run(), detail::Ending::Reached) << share;
 		EXPECT_LE(far.run.shape().farthest, far.bound);
-		EXPECT_EQ(way.nearest(), far.run.shape().farthest);
+		EXPECT_EQ(way.found().farthest, far.run.shape().farthest);
 		EXPECT_LE(angleDefects(assembly, far.run.shape().positions).cwiseAbs().sum(), 1e-4);
 		expectSound(assembly, far.run.shape().positions);
 	}
@@ -51,8 +51,8 @@ TEST(ReturnWithinBound, SaysHowNearItCameWhereTheBoundIsOutOfReach) {
 	const double before = far.run.shape().farthest;
 	detail::ReturnWithinBound way(far.problem, far.run, far.steps, far.bound);
 	EXPECT_EQ(way.run(), detail::Ending::Stuck);
-	EXPECT_LT(way.nearest(), before);
-	EXPECT_GT(way.nearest(), far.bound);
+	EXPECT_LT(way.found().farthest, before);
+	EXPECT_GT(way.found().farthest, far.bound);
 }
 
 TEST(ReturnWithinBound, DoesNotBeginFromMuchTooFar) {

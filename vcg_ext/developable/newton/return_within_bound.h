@@ -21,8 +21,8 @@ public:
 	///         Unsolvable
 	Ending run();
 
-	/// The least largest displacement of the developable shapes on the way, the first included; length.
-	double nearest() const { return found_.farthest; }
+	/// The nearest of the developable shapes on the way, the first included.
+	const Shape& found() const { return found_; }
 
 private:
 	/// From the nearest shape so far.
@@ -35,7 +35,7 @@ private:
 	GaussNewton& steps_;
 	const double bound_;
 	Eigen::VectorXd masses_; ///< of the places, as they have become
-	Shape found_;            ///< the nearest that is developable
+	Shape found_;
 };
 
 } // namespace developable::detail
