@@ -19,8 +19,8 @@ struct NewtonOutcome {
 
 /// Up to two attempts from the same start: a careful one, which keeps borders from kinking, and a free one,
 /// which does not; where the careful one came nowhere near, the free one makes triangles stiffer that are in
-/// the way. Where the careful one takes long and
-/// another thread is at hand, the free one begins there already: what comes of it is the same.
+/// the way. Where the careful one takes long and another thread is at hand, the free one begins there
+/// already: what comes of it is the same.
 /// \param smoothness  α
 /// \return            the developable shape, or the less curved of both; the start when none is better
 NewtonOutcome attemptFrom(NewtonProblem& problem, const Positions& start, double smoothness,
