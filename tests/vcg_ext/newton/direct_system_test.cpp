@@ -84,7 +84,7 @@ TEST(DirectSystem, TakesOverWhereConjugateGradientsAreSlow) {
 	for (const bool factorizes : {false, true}) {
 		tuning.systemResidual = 1e-10;
 		detail::NewtonProblem problem(assembly, {1e-4, 1e-4}, tuning, 0);
-		problem.setSmoothness(Eigen::VectorXd::Constant(1, 3e-6));
+		problem.setSmoothness(3e-6);
 		problem.jacobian().linearize(assembly.originalPositions);
 		ASSERT_TRUE(problem.metric().factorize());
 		detail::MultiplierSolver solver(problem, factorizes ? 0 : 1000);

@@ -76,15 +76,6 @@ Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& step
 	return Ending::Reached;
 }
 
-/// With its places within the bound on displacements a developable shape is the best start of steps to the
-/// least squares of g.
-void clip(const NewtonProblem& problem, NewtonRun& run, const Shape& shape) {
-	Positions move = Positions::Zero(3, problem.assembly().placeCount());
-	pullBack(problem.assembly().originalPositions, shape.positions, move, problem.goal().farthest);
-	if (problem.soundness().spare(shape.positions, move))
-		run.goBackTo(problem.shapeAt(shape.positions + move));
-}
-
 /// A developable shape that is farther away than places may go is none that was looked for, but there may be
 /// one near it that is.
 /// \param nearest  becomes how far the nearest developable shape moves a place, where that is too far
@@ -97,7 +88,7 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
 		return ofReturn;
 	nearest = way.found().farthest;
-	clip(problem, run, way.found());
+	way.pullBackTo(problem.goal().farthest); // the best start of steps to the least squares of g
 	return Ending::Stuck;
 }
 

@@ -22,7 +22,7 @@ struct AttemptResult {
 	/// How far the nearest developable shape found moves a place, where that is too far, length; else 0.
 	double nearestDevelopable = 0;
 	bool metLimits = false;      ///< borders came to their limits
-	bool cameNear = false;       ///< little of the curvature was left at some time
+	bool cameNear = false;       ///< little of the curvature was left, however far away
 	bool bordersLimited = false; ///< to the end
 };
 

@@ -21,8 +21,8 @@ std::unique_ptr<NewtonProblem> NewtonProblem::another() const {
 	return result;
 }
 
-void NewtonProblem::setSmoothness(const Eigen::VectorXd& smoothness) {
-	metric_.setSmoothness({smoothness, shapeSmoothness_});
+void NewtonProblem::setSmoothness(double smoothness) {
+	metric_.setSmoothness({Eigen::VectorXd::Constant(assembly_.patchCount(), smoothness), shapeSmoothness_});
 	if (metric_.eliminationOrder().empty())
 		findEliminationOrder();
 	jacobian_.setPlaceMass(metric_.weight());

@@ -43,12 +43,8 @@ public:
 	std::unique_ptr<NewtonProblem> another() const;
 
 	/// The metric anew: every triangle is as stiff as at first.
-	/// \param smoothness  α, per patch
-	void setSmoothness(const Eigen::VectorXd& smoothness);
-	/// The same α in all patches.
-	void setSmoothness(double smoothness) {
-		setSmoothness(Eigen::VectorXd::Constant(assembly_.patchCount(), smoothness));
-	}
+	/// \param smoothness  α, the same in all patches
+	void setSmoothness(double smoothness);
 
 	Shape shapeAt(const Positions& positions) const;
 

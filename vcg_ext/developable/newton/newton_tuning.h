@@ -105,7 +105,7 @@ struct NewtonTuning {
 	double returnStep = 0.3;       ///< share of the distance by which a round aims nearer
 	double returnLeastStep = 0.05; ///< half after a round that led nowhere, until it is less than this
 	double returnEpsilon = 1e-3;   ///< of the restoration, share of the greatest response
-	double returnAim = 0.95;       ///< share of the bound: the last round aims there
+	double returnAim = 0.95;       ///< share of the bound: aimed at last; places beyond it are at the bound
 	double returnWeight = 100;     ///< of a place at the nearer bound, beside its mass
 	double returnHeaviest = 1.2;   ///< share of that bound beyond which places become no heavier
 	double heavyPlace = 1000;      ///< of its mass, at the bound on a finer level

@@ -41,13 +41,19 @@ Ending ReturnWithinBound::round(double aim) {
 	makeFarPlacesHeavy(aim);
 	if (!problem_.metric().factorize())
 		return Ending::Unsolvable;
-	Positions move = Positions::Zero(3, masses_.size());
-	pullBack(problem_.assembly().originalPositions, found_.positions, move, aim);
-	if (!problem_.soundness().spare(found_.positions, move))
+	if (!pullBackTo(aim))
 		return Ending::Stuck;
-	run_.goBackTo(problem_.shapeAt(found_.positions + move));
 	const double epsilon = problem_.tuning().returnEpsilon * steps_.greatestResponse();
 	return Restoration(problem_, run_, steps_, epsilon).restore();
+}
+
+bool ReturnWithinBound::pullBackTo(double bound) {
+	Positions move = Positions::Zero(3, masses_.size());
+	pullBack(problem_.assembly().originalPositions, found_.positions, move, bound);
+	const bool sound = problem_.soundness().spare(found_.positions, move);
+	if (sound)
+		run_.goBackTo(problem_.shapeAt(found_.positions + move));
+	return sound;
 }
 
 void ReturnWithinBound::makeFarPlacesHeavy(double aim) {

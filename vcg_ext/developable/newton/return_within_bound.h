@@ -24,6 +24,10 @@ public:
 	/// The nearest of the developable shapes on the way, the first included.
 	const Shape& found() const { return found_; }
 
+	/// Takes the run to that shape with its places pulled back to a bound. \return whether that is sound;
+	/// else the run stays where it is
+	bool pullBackTo(double bound);
+
 private:
 	/// From the nearest shape so far.
 	/// \param aim  the nearer bound, length

@@ -42,7 +42,7 @@ bool wantsDart(const CutPanel& panel);
 /// \param maxDisplacement  per patch of the surface
 /// \param material         without any strain all have to become developable
 /// \param preferredMove    see NewtonTuning, share of the diagonal
-/// \param brief            a run that gives up early
+/// \param brief            with a material, a run that gives up early
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
 							 double preferredMove, bool brief, const Progress& progress);
