@@ -50,10 +50,11 @@ bool NewtonRun::takeCheapStep() {
 	return true;
 }
 
-/// Most curvature goes in the last few steps, so at first their number tells more.
+/// Most curvature goes in the last few steps, so at first their number tells more. It never tells that a run
+/// is about to end.
 double NewtonRun::shareDone() const {
-	constexpr double usualSteps = 20;
-	return std::max(1 - std::exp(-iterations_ / usualSteps),
+	constexpr double usualSteps = 12, mostBySteps = 0.9;
+	return std::max(mostBySteps * (1 - std::exp(-iterations_ / usualSteps)),
 					problem_.goal().shareRemoved(startCurvature_, shape_.curvature));
 }
 
