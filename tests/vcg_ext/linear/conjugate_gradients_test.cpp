@@ -11,7 +11,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int size = 8;
+constexpr int unknowns = 8;
 
 /// A system with a solution that is known, and what was asked of it.
 struct System {
@@ -45,9 +45,9 @@ struct System {
 
 /// Symmetric positive definite, with eigenvalues from 1 to about 10.
 Eigen::MatrixXd definiteMatrix() {
-	Eigen::MatrixXd matrix(size, size);
-	for (int i = 0; i < size; ++i)
-		for (int j = 0; j < size; ++j)
+	Eigen::MatrixXd matrix(unknowns, unknowns);
+	for (int i = 0; i < unknowns; ++i)
+		for (int j = 0; j < unknowns; ++j)
 			matrix(i, j) = (i == j ? 1.0 + i : 0) + 1.0 / (1 + std::abs(i - j));
 	return matrix;
 }
@@ -55,8 +55,8 @@ Eigen::MatrixXd definiteMatrix() {
 TEST(ConjugateGradients, SolveASmallSystemInAsManyStepsAsItHasRows) {
 	System system(definiteMatrix());
 	Vector x = system.zero();
-	EXPECT_EQ(system.solve(size, x), Iterated::Enough);
-	EXPECT_LE(system.steps, size);
+	EXPECT_EQ(system.solve(unknowns, x), Iterated::Enough);
+	EXPECT_LE(system.steps, unknowns);
 	EXPECT_GT(system.steps, 3);
 	EXPECT_EQ(system.applications, system.steps); // none for the residual of a zero vector
 	EXPECT_LT((x - system.solution).norm(), 1e-10);
@@ -80,10 +80,10 @@ TEST(ConjugateGradients, TakeAStepForEachDifferentEigenvalue) {
 
 TEST(ConjugateGradients, NearTheSolutionTakeFewerSteps) {
 	System system(definiteMatrix());
-	Vector cold = system.zero(), warm = system.solution + 1e-9 * Vector::LinSpaced(size, 1, 2);
-	ASSERT_EQ(system.solve(size, cold), Iterated::Enough);
+	Vector cold = system.zero(), warm = system.solution + 1e-9 * Vector::LinSpaced(unknowns, 1, 2);
+	ASSERT_EQ(system.solve(unknowns, cold), Iterated::Enough);
 	const int stepsFromZero = system.steps;
-	EXPECT_EQ(system.solve(size, warm), Iterated::Enough);
+	EXPECT_EQ(system.solve(unknowns, warm), Iterated::Enough);
 	EXPECT_LT(system.steps, stepsFromZero);
 	EXPECT_GT(system.steps, 0);
 	EXPECT_LT((warm - system.solution).norm(), 1e-10);
@@ -93,7 +93,8 @@ TEST(ConjugateGradients, TakeOneStepWithTheInverseAsPreconditioner) {
 	System system(definiteMatrix());
 	const Eigen::MatrixXd inverse = system.matrix.inverse();
 	Vector x = system.zero();
-	EXPECT_EQ(system.solve([&](const Vector& v) { return Vector(inverse * v); }, size, x), Iterated::Enough);
+	EXPECT_EQ(system.solve([&](const Vector& v) { return Vector(inverse * v); }, unknowns, x),
+			  Iterated::Enough);
 	EXPECT_EQ(system.steps, 1);
 	EXPECT_LT((x - system.solution).norm(), 1e-10);
 }
@@ -102,20 +103,20 @@ TEST(ConjugateGradients, SayThatTheOperatorIsNotPositiveDefinite) {
 	// The first direction, the right-hand side, already shows it: x stays.
 	System negative(-definiteMatrix());
 	Vector x = negative.zero();
-	EXPECT_EQ(negative.solve(size, x), Iterated::Indefinite);
+	EXPECT_EQ(negative.solve(unknowns, x), Iterated::Indefinite);
 	EXPECT_EQ(x, negative.zero());
 	// A singular operator, and one that is no number.
 	for (const double value : {0.0, std::numeric_limits<double>::quiet_NaN()}) {
 		System system(definiteMatrix());
 		system.matrix.setConstant(value);
-		EXPECT_EQ(system.solve(size, x), Iterated::Indefinite);
+		EXPECT_EQ(system.solve(unknowns, x), Iterated::Indefinite);
 		EXPECT_EQ(x, system.zero());
 	}
 	// One negative eigenvalue of little weight shows later: x is what one step less gives.
 	Eigen::MatrixXd indefinite = definiteMatrix();
-	indefinite(size - 1, size - 1) = -0.1;
+	indefinite(unknowns - 1, unknowns - 1) = -0.1;
 	System system(indefinite);
-	EXPECT_EQ(system.solve(size, x), Iterated::Indefinite);
+	EXPECT_EQ(system.solve(unknowns, x), Iterated::Indefinite);
 	ASSERT_GT(system.steps, 1);
 	Vector before = system.zero();
 	EXPECT_EQ(system.solve(system.steps - 1, before), Iterated::LimitOfSteps);
@@ -126,12 +127,12 @@ TEST(ConjugateGradients, SayThatTheOperatorIsNotPositiveDefinite) {
 TEST(ConjugateGradients, StopBeforeTheStepThatIsNotAllowed) {
 	System system(definiteMatrix());
 	Vector stopped = system.zero(), limited = system.zero();
-	EXPECT_EQ(system.solve(size, stopped, 3), Iterated::Stopped);
+	EXPECT_EQ(system.solve(unknowns, stopped, 3), Iterated::Stopped);
 	EXPECT_EQ(system.applications, 3);
 	EXPECT_EQ(system.solve(3, limited), Iterated::LimitOfSteps);
 	EXPECT_EQ(stopped, limited);
 	Vector untouched = system.zero();
-	EXPECT_EQ(system.solve(size, untouched, 0), Iterated::Stopped);
+	EXPECT_EQ(system.solve(unknowns, untouched, 0), Iterated::Stopped);
 	EXPECT_EQ(untouched, system.zero());
 }
 
@@ -165,7 +166,7 @@ TEST(ConjugateGradients, TellTheResidualAndItsPreconditionedSquare) {
 	const System system(definiteMatrix());
 	const Vector inverseDiagonal = system.matrix.diagonal().cwiseInverse();
 	const auto precondition = [&](const Vector& v) { return Vector(inverseDiagonal.cwiseProduct(v)); };
-	Vector x = Vector::Ones(size);
+	Vector x = Vector::Ones(unknowns);
 	int asked = 0;
 	const auto enough = [&](const Vector& residual, double product) {
 		EXPECT_LT((residual - (system.rightHandSide - system.matrix * x)).norm(), 1e-12);
@@ -173,7 +174,7 @@ TEST(ConjugateGradients, TellTheResidualAndItsPreconditionedSquare) {
 		return ++asked == 5;
 	};
 	EXPECT_EQ(conjugateGradients([&](const Vector& v) { return Vector(system.matrix * v); }, precondition,
-								 system.rightHandSide, size, enough, [] { return true; }, x),
+								 system.rightHandSide, unknowns, enough, [] { return true; }, x),
 			  Iterated::Enough);
 	EXPECT_EQ(asked, 5);
 }

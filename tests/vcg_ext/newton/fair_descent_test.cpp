@@ -5,14 +5,14 @@
 namespace developable::test {
 namespace {
 
-constexpr detail::CurvatureGoal goal{1e-4, 1e-4, 1};
+constexpr detail::CurvatureGoal usualGoal{1e-4, 1e-4, 1};
 
 detail::Unfairness unfairnessOf(const PatchAssembly& assembly, double fairness) {
 	return {assembly, detail::shapeSmoothness(fairness), {}, 0};
 }
 
 detail::FairDescent descentOf(const detail::Unfairness& unfairness) {
-	return {unfairness, 3e-6, goal, 200, 0, {}, std::make_shared<detail::WorkBudget>()};
+	return {unfairness, 3e-6, usualGoal, 200, 0, {}, std::make_shared<detail::WorkBudget>()};
 }
 
 TEST(Unfairness, OfAFlatSheetIsItsDistanceInBothNorms) {

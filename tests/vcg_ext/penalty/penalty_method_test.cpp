@@ -10,17 +10,13 @@
 namespace developable::test {
 namespace {
 
-double detectFunctionAt(const PatchAssembly& assembly, const Positions& positions) {
-	return detectFunction(angleDefects(assembly, positions));
-}
-
 TEST(PenaltyMethod, LowersTheDetectFunctionAndCountsItsSteps) {
 	for (const Surface& surface : {Surface(bumpedCylinder), Surface(saddle), sphereCap(1.0)}) {
 		const PatchAssembly assembly = assembled(jitteredGrid(16, 16, surface));
 		Positions positions = assembly.originalPositions;
-		const double before = detectFunctionAt(assembly, positions);
+		const double before = detectFunction(angleDefects(assembly, positions));
 		const OptimizationReport report = penaltyMethod(assembly, positions, {});
-		EXPECT_LT(detectFunctionAt(assembly, positions), 0.7 * before);
+		EXPECT_LT(detectFunction(angleDefects(assembly, positions)), 0.7 * before);
 		EXPECT_GE(report.iterations, 1);
 		EXPECT_LE(report.iterations, 200);
 	}

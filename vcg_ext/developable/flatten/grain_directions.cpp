@@ -4,8 +4,8 @@
 #include "grain_directions.h"
 
 #include "developable/geometry/geometry.h"
+#include "developable/linear/linear.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 
@@ -46,8 +46,7 @@ std::vector<double> grainOfTriangles(const PatchAssembly& assembly, const Positi
 
 Eigen::Vector2d principalDirection(const Eigen::Matrix2Xd& points) {
 	const Eigen::Matrix2Xd centred = points.colwise() - points.rowwise().mean().eval();
-	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(centred * centred.transpose());
-	const Eigen::Vector2d direction = eigen.eigenvectors().col(1);
+	const Eigen::Vector2d direction = symmetricEigen(centred * centred.transpose()).vectors.col(1);
 	return direction[1] < 0 ? -direction : direction;
 }
 

@@ -4,7 +4,8 @@
 
 #include "grain_directions.h"
 
-#include <Eigen/Eigenvalues>
+#include "developable/linear/linear.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -58,10 +59,10 @@ struct Slopes {
 		const std::vector<int> corners(triangles.flat.reshaped().begin(), triangles.flat.reshaped().end());
 		const Eigen::Matrix2Xd points = flat(Eigen::all, corners);
 		const Eigen::Matrix2Xd centred = points.colwise() - points.rowwise().mean().eval();
-		const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(centred * centred.transpose());
-		const Eigen::Vector2d along = eigen.eigenvectors().col(1), across(-along[1], along[0]);
-		const double gap = eigen.eigenvalues()[1] - eigen.eigenvalues()[0];
-		if (!(gap > 1e-9 * eigen.eigenvalues()[1]))
+		const SymmetricEigen eigen = symmetricEigen(centred * centred.transpose());
+		const Eigen::Vector2d along = eigen.vectors.col(1), across(-along[1], along[0]);
+		const double gap = eigen.values[1] - eigen.values[0];
+		if (!(gap > 1e-9 * eigen.values[1]))
 			return; // as long as wide: it has no direction that could be kept
 		for (std::size_t i = 0; i < corners.size(); ++i) {
 			const auto point = centred.col(Eigen::Index(i));

@@ -2,7 +2,8 @@
 // plane_springs.cpp: sums over the springs and over the triangles that the barrier guards.
 #include "plane_springs.h"
 
-#include <Eigen/Eigenvalues>
+#include "developable/linear/linear.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -128,9 +129,9 @@ void PlaneSprings::addGuard(int t, const Barrier& guard, const AreaGradient& are
 	Block block =
 		stiffness * (guard.curvature / restAreas_[t] * area * area.transpose() + guard.slope * second);
 	if (convex) {
-		const Eigen::SelfAdjointEigenSolver<Block> eigen(block);
-		block = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-				eigen.eigenvectors().transpose();
+		const SymmetricEigen eigen = symmetricEigen(block);
+		const Block vectors = eigen.vectors;
+		block = vectors * eigen.values.cwiseMax(0).asDiagonal() * vectors.transpose();
 	}
 	for (int row = 0; row < 3; ++row)
 		for (int column = 0; column < 3; ++column) {

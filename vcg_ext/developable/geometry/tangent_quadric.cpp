@@ -4,9 +4,30 @@
 
 #include "vertex_normals.h"
 
+#include "developable/linear/linear.h"
+
 #include <Eigen/Geometry>
+#include <limits>
 
 namespace developable::detail {
+
+namespace {
+
+using Square = Eigen::Matrix<double, TangentQuadric::unknowns, TangentQuadric::unknowns>;
+
+/// Of a symmetric matrix, without what is rounding in it.
+Square pseudoInverse(const Square& matrix) {
+	const SymmetricEigen eigen = symmetricEigen(matrix);
+	const double greatest = eigen.values[TangentQuadric::unknowns - 1];
+	const double rounding = TangentQuadric::unknowns * std::numeric_limits<double>::epsilon() * greatest;
+	Square result = Square::Zero();
+	for (int i = 0; i < TangentQuadric::unknowns; ++i)
+		if (eigen.values[i] > rounding)
+			result += eigen.vectors.col(i) * eigen.vectors.col(i).transpose() / eigen.values[i];
+	return result;
+}
+
+} // namespace
 
 TangentQuadric::TangentQuadric(const Positions& positions, int place, const Eigen::Vector3d& normal,
 							   const std::vector<int>& ring)
@@ -22,7 +43,16 @@ TangentQuadric::TangentQuadric(const Positions& positions, int place, const Eige
 	heights_ = points.row(2);
 	const Eigen::Array<double, 1, Eigen::Dynamic> x = points.row(0), y = points.row(1);
 	design_ << (x * x).matrix(), (x * y).matrix(), (y * y).matrix(), x.matrix(), y.matrix();
-	decomposition_.compute(design_ * design_.transpose());
+	pseudoInverse_ = pseudoInverse(design_ * design_.transpose());
+}
+
+Eigen::Matrix<double, TangentQuadric::unknowns, 1>
+TangentQuadric::fitted(const Eigen::RowVectorXd& values) const {
+	return pseudoInverse_ * (design_ * values.transpose());
+}
+
+Eigen::Matrix<double, TangentQuadric::unknowns, Eigen::Dynamic> TangentQuadric::solution() const {
+	return pseudoInverse_ * design_;
 }
 
 void visitTangentQuadrics(const PatchAssembly& assembly, const Positions& positions,

@@ -4,8 +4,6 @@
 
 #include "second_rings.h"
 
-#include <Eigen/QR>
-
 #include <functional>
 #include <vector>
 
@@ -27,17 +25,15 @@ public:
 	const Eigen::RowVectorXd& heights() const { return heights_; }
 
 	/// \param values  at the ring
-	Eigen::Matrix<double, unknowns, 1> fitted(const Eigen::RowVectorXd& values) const {
-		return decomposition_.solve(design_ * values.transpose());
-	}
+	Eigen::Matrix<double, unknowns, 1> fitted(const Eigen::RowVectorXd& values) const;
 	/// unknowns x ring: what a unit of each value adds to the quadric.
-	Eigen::Matrix<double, unknowns, Eigen::Dynamic> solution() const { return decomposition_.solve(design_); }
+	Eigen::Matrix<double, unknowns, Eigen::Dynamic> solution() const;
 
 private:
 	double reach_ = 0;
 	Eigen::RowVectorXd heights_;
 	Eigen::Matrix<double, unknowns, Eigen::Dynamic> design_;
-	Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, unknowns, unknowns>> decomposition_;
+	Eigen::Matrix<double, unknowns, unknowns> pseudoInverse_; // of design · designᵀ
 };
 
 /// Of a copy, the places round it, and the quadric there.

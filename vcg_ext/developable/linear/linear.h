@@ -10,3 +10,4 @@
 #include "sparse_cholesky.h"
 #include "sparse_solver.h"
 #include "stored_place.h"
+#include "symmetric_eigen.h"

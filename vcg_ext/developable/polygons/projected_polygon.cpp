@@ -2,7 +2,8 @@
 // projected_polygon.cpp: projection along the smallest of three principal axes, and sums of opposite angles.
 #include "projected_polygon.h"
 
-#include <Eigen/Eigenvalues>
+#include "developable/linear/linear.h"
+
 #include <map>
 
 namespace developable::detail {
@@ -12,8 +13,8 @@ Eigen::Matrix2Xd projectedContour(const Positions& contour) {
 	const double size = centred.cwiseAbs().maxCoeff();
 	if (size > 0)
 		centred /= size;
-	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(centred * centred.transpose());
-	Eigen::Matrix2Xd projected = axes.eigenvectors().rightCols<2>().transpose() * centred;
+	const Eigen::Matrix3d axes = symmetricEigen(centred * centred.transpose()).vectors;
+	Eigen::Matrix2Xd projected = axes.rightCols<2>().transpose() * centred;
 	double doubleArea = 0;
 	for (Eigen::Index i = 0, last = projected.cols() - 1; i < projected.cols(); last = i++)
 		doubleArea += projected(0, last) * projected(1, i) - projected(0, i) * projected(1, last);
