@@ -2,8 +2,7 @@
 // candidate_axes.cpp: principal axes, and where these are not distinct axes through unusual vertices.
 #include "candidate_axes.h"
 
-#include "developable/linear/linear.h"
-
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
@@ -89,8 +88,8 @@ AreaMoments areaMoments(const TriangleMesh& mesh) {
 }
 
 std::vector<Eigen::Matrix3d> candidateAxes(const TriangleMesh& mesh, const Eigen::Matrix3d& covariance) {
-	const SymmetricEigen eigen = symmetricEigen(covariance);
-	const Eigen::Vector3d moments = eigen.values;
+	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+	const Eigen::Vector3d& moments = solver.eigenvalues();
 	const bool lower = moments[1] - moments[0] > distinct, upper = moments[2] - moments[1] > distinct;
 	std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> axes; // x, z
 	const auto add = [&](const std::vector<Eigen::Vector3d>& directions, const Eigen::Vector3d& z) {
@@ -98,14 +97,14 @@ std::vector<Eigen::Matrix3d> candidateAxes(const TriangleMesh& mesh, const Eigen
 			axes.emplace_back(x, z);
 	};
 	if (lower && upper) {
-		const Eigen::Vector3d x = eigen.vectors.col(0), z = eigen.vectors.col(2);
+		const Eigen::Vector3d x = solver.eigenvectors().col(0), z = solver.eigenvectors().col(2);
 		add({x, -x}, z);
 		add({x, -x}, -z);
 	} else {
 		const VertexClasses classes(mesh);
 		std::vector<Eigen::Vector3d> first;
 		if (lower || upper) {
-			const Eigen::Vector3d axis = eigen.vectors.col(lower ? 0 : 2);
+			const Eigen::Vector3d axis = solver.eigenvectors().col(lower ? 0 : 2);
 			first = {axis, -axis};
 		} else {
 			first = classes.directionsOff(Eigen::Vector3d::Zero());

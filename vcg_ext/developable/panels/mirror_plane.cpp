@@ -4,8 +4,8 @@
 
 #include "candidate_axes.h"
 #include "developable/geometry/geometry.h"
-#include "developable/linear/linear.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,7 +39,8 @@ void fit(MirrorPlane& plane, const Positions& points, const Positions& images) {
 	const Eigen::Vector3d centre = points.rowwise().mean(), imageCentre = images.rowwise().mean();
 	const Eigen::Matrix3d product =
 		(points.colwise() - centre) * (images.colwise() - imageCentre).transpose();
-	plane.normal = symmetricEigen(product + product.transpose()).vectors.col(0);
+	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(product + product.transpose());
+	plane.normal = solver.eigenvectors().col(0);
 	plane.offset = plane.normal.dot(centre + imageCentre) / 2;
 }
 
@@ -80,7 +81,7 @@ private:
 
 /// The principal axes, and directions to the corners, edges and sides of a cube along them.
 std::vector<Eigen::Vector3d> directionsOf(const Eigen::Matrix3d& covariance) {
-	const Eigen::Matrix3d axes = symmetricEigen(covariance).vectors;
+	const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
 	std::vector<Eigen::Vector3d> directions;
 	for (int x = -1; x <= 1; ++x)
 		for (int y = -1; y <= 1; ++y)
