@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // linear.h: the front door of linear/: sparse symmetric positive definite systems, by factorisation or by
-// iteration.
+// iteration, and the eigenvectors of small matrices.
 #pragma once
 
 #include "conjugate_gradients.h"
