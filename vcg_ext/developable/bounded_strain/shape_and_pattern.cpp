@@ -5,6 +5,7 @@
 #include "developable/descent/descent.h"
 #include "developable/geometry/geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,7 @@ constexpr int mostTrials = 12;       // halvings of a step
 constexpr int mostSettlings = 3;     // steps of the pattern after each
 constexpr double settled = 1e-2;     // decrease of Ψ, as a share, that is worth another
 constexpr double rigidMotion = 1e-9; // only rigid motions have no stiffness; this much keeps pieces in place
+constexpr double rounding = 1e-13;   // of the stiffest bound: that much of what is soft is lost beside it
 
 double areaOf(const PatchAssembly& assembly) {
 	double sum = 0;
@@ -152,8 +154,15 @@ void ShapeAndPatternSteps::addBorder(const Eigen::Matrix2Xd& pattern, int first,
 }
 
 bool ShapeAndPatternSteps::factorize(System& system, int size, Entries& entries, int firstOfPattern) const {
-	for (int i = firstOfPattern; i < size; ++i)
-		entries.emplace_back(i, i, rigidMotion / area_);
+	double stiffest = 0;
+	for (const auto& entry : entries)
+		stiffest = std::max(stiffest, entry.value());
+	for (int i = 0; i < size; ++i)
+		entries.emplace_back(i, i, i < firstOfPattern ? 0 : rigidMotion / area_);
+	if (system.factorization.factorize(system.matrix.of(entries, size)))
+		return true;
+	for (auto entry = entries.end() - size; entry != entries.end(); ++entry)
+		*entry = {entry->row(), entry->col(), entry->value() + rounding * stiffest};
 	return system.factorization.factorize(system.matrix.of(entries, size));
 }
 

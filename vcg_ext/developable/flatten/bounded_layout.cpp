@@ -70,6 +70,7 @@ private:
 	static constexpr double settled = 1e-3; // within the bounds, a step that brought less is the last
 	static constexpr double least = 1e-9;   // beyond them, one that promised less
 	static constexpr double shareOfTolerance = 0.3;
+	static constexpr double rounding = 1e-13; // of the stiffest bound, beside which springs are soft
 
 	double violation() const { return penalty_.greatestViolation(panel_.positions, positions_); }
 
@@ -85,14 +86,15 @@ private:
 		for (int t = 0; t < panel_.triangleCount(); ++t)
 			addElement(t, gradient);
 		addBorder(gradient);
-		const Eigen::VectorXd downward = -gradient.reshaped();
+		hessian_.addToDiagonal(rounding);
+		if (!factorization_.factorize(hessian_.matrix()))
+			return 0;
+		const Eigen::VectorXd upward = gradient.reshaped();
 		const Eigen::VectorXd direction =
-			factorization_.factorize(hessian_.matrix())
-				? heldDirection([&](const Eigen::VectorXd& v) { return factorization_.solve(v); }, -downward,
-								grain_.slopes(panel_.positions, positions_, false))
-				: downward;
+			heldDirection([&](const Eigen::VectorXd& v) { return factorization_.solve(v); }, upward,
+						  grain_.slopes(panel_.positions, positions_, false));
 		const PlanePositions move = direction.reshaped(2, positions_.cols());
-		const double slope = -downward.dot(direction), before = energy(positions_);
+		const double slope = upward.dot(direction), before = energy(positions_);
 		double length = std::min(1.0, 0.9 * springs_.longestStep(positions_, move));
 		for (int trial = 0; trial < 30; ++trial, length /= 2) {
 			PlanePositions next = positions_ + length * move;

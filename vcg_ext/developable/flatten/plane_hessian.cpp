@@ -27,6 +27,12 @@ void PlaneHessian::setDiagonal(double value) {
 		matrix_.valuePtr()[matrix_.outerIndexPtr()[column]] = value;
 }
 
+void PlaneHessian::addToDiagonal(double share) {
+	const double added = share * matrix_.diagonal().maxCoeff();
+	for (int column = 0; column < matrix_.cols(); ++column)
+		matrix_.valuePtr()[matrix_.outerIndexPtr()[column]] += added;
+}
+
 void PlaneHessian::add(int row, int column, const Eigen::Matrix2d& block) {
 	double* const values = matrix_.valuePtr();
 	const int* const starts = matrix_.outerIndexPtr();

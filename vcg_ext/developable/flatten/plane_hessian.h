@@ -19,6 +19,10 @@ public:
 	/// Sets everything but the diagonal to 0.
 	void setDiagonal(double value);
 
+	/// Adds a share of the largest entry of the diagonal to all of it: what rounding may have taken from a
+	/// matrix that has no negative eigenvalue.
+	void addToDiagonal(double share);
+
 	/// Adds a block at the rows of one vertex and the columns of another, and its transpose across.
 	void add(int row, int column, const Eigen::Matrix2d& block);
 

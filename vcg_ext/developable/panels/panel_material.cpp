@@ -23,21 +23,15 @@ double greatestBound(const StrainBounds& bounds) {
 	return greatest;
 }
 
-} // namespace
-
-void bringWithinBounds(const PatchAssembly& assembly, Positions& positions, const PanelMaterial& material,
-					   double maxDisplacement, bool brief, const Progress& progress) {
-	BoundedStrainOptions options;
+FlatPatterns patternsWithin(const PatchAssembly& assembly, const Positions& positions,
+							const PanelMaterial& material) {
+	FlattenOptions options;
 	options.bounds = material.bounds;
 	options.grain = material.grain;
-	options.smoothness = material.smoothness;
-	options.maxDisplacement = maxDisplacement;
-	options.searchBeyond = false;
-	options.severalStarts = !brief;
-	if (brief)
-		options.maxIterations = briefSteps;
-	boundedStrain(assembly, positions, options, progress);
+	return flattenPatches(assembly, positions, options);
 }
+
+} // namespace
 
 Outlook outlookOf(const PatchAssembly& panel, const PanelMaterial& material, double maxDisplacement) {
 	const FlatPatterns patterns = flattenPatches(panel, panel.originalPositions);
@@ -51,12 +45,21 @@ Outlook outlookOf(const PatchAssembly& panel, const PanelMaterial& material, dou
 	return strain > bound ? Outlook::MostlyMoves : Outlook::MostlyStrains;
 }
 
-std::vector<PatternVerdict> judgePatterns(const PatchAssembly& assembly, const Positions& positions,
-										  const PanelMaterial& material) {
-	FlattenOptions options;
+std::vector<PatternVerdict> bringWithinBounds(const PatchAssembly& assembly, Positions& positions,
+											  const PanelMaterial& material, double maxDisplacement,
+											  bool brief, const Progress& progress) {
+	BoundedStrainOptions options;
 	options.bounds = material.bounds;
 	options.grain = material.grain;
-	const FlatPatterns patterns = flattenPatches(assembly, positions, options);
+	options.smoothness = material.smoothness;
+	options.maxDisplacement = maxDisplacement;
+	options.searchBeyond = false;
+	options.severalStarts = !brief;
+	if (brief)
+		options.maxIterations = briefSteps;
+	FlatPatterns patterns = boundedStrain(assembly, positions, options, progress).patterns;
+	if (patterns.pieces.empty()) // of several parts
+		patterns = patternsWithin(assembly, positions, material);
 	std::vector<PatternVerdict> verdicts;
 	verdicts.reserve(patterns.pieces.size());
 	for (const FlatPiece& piece : patterns.pieces) {

@@ -17,12 +17,6 @@ struct PanelMaterial {
 
 namespace detail {
 
-/// Moves places to the nearest shape whose patterns are within the bounds, as Global Developability will.
-/// \param maxDisplacement  as in BoundedStrainOptions
-/// \param brief            a run that gives up early
-void bringWithinBounds(const PatchAssembly& assembly, Positions& positions, const PanelMaterial& material,
-					   double maxDisplacement, bool brief, const Progress& progress);
-
 /// What a panel's pattern of least squares lets expect.
 enum class Outlook {
 	Hopeless,     ///< it overlaps itself, or is strained by more than can be borne and moved away
@@ -42,9 +36,13 @@ struct PatternVerdict {
 	bool holds() const { return usable && beyondBounds <= patternTolerance; }
 };
 
-/// One for each patch, laid flat within the bounds.
-std::vector<PatternVerdict> judgePatterns(const PatchAssembly& assembly, const Positions& positions,
-										  const PanelMaterial& material);
+/// Moves places to the nearest shape whose patterns are within the bounds, as Global Developability will.
+/// \param maxDisplacement  as in BoundedStrainOptions
+/// \param brief            a run that gives up early
+/// \return                 one for each patch, laid flat within the bounds
+std::vector<PatternVerdict> bringWithinBounds(const PatchAssembly& assembly, Positions& positions,
+											  const PanelMaterial& material, double maxDisplacement,
+											  bool brief, const Progress& progress);
 
 } // namespace detail
 

@@ -95,9 +95,10 @@ void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, cons
 	if (outlook == Outlook::Hopeless)
 		return;
 	Positions positions = assembly.originalPositions;
-	bringWithinBounds(assembly, positions, limits.material, limits.maxDisplacement, true, progress);
-	verdict.flat = isNear(assembly, positions, limits, verdict) &&
-				   judgePatterns(assembly, positions, limits.material).front().holds();
+	const PatternVerdict pattern =
+		bringWithinBounds(assembly, positions, limits.material, limits.maxDisplacement, true, progress)
+			.front();
+	verdict.flat = isNear(assembly, positions, limits, verdict) && pattern.holds();
 	if (verdict.flat)
 		verdict.obstacle = Obstacle::None;
 }

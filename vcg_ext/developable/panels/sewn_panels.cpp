@@ -127,10 +127,8 @@ void judgeCurvature(const PatchAssembly& assembly, const Positions& positions,
 }
 
 /// Strain within bounds.
-void judgeStrain(const PatchAssembly& assembly, const Positions& positions, const PanelMaterial& material,
-				 const std::vector<int>& panelOfPatch, const std::vector<double>& limits,
-				 std::vector<CutPanel>& panels) {
-	const std::vector<PatternVerdict> verdicts = judgePatterns(assembly, positions, material);
+void judgeStrain(const std::vector<PatternVerdict>& verdicts, const std::vector<int>& panelOfPatch,
+				 const std::vector<double>& limits, std::vector<CutPanel>& panels) {
 	for (std::size_t patch = 0; patch < verdicts.size(); ++patch) {
 		CutPanel& report = panels[panelOfPatch[patch]];
 		report.beyondBounds = verdicts[patch].beyondBounds;
@@ -206,13 +204,15 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	ConstrainedNewtonOptions options;
 	options.tuning.preferredMove = preferredMove;
 	Positions positions = assembly.originalPositions;
+	std::vector<PatternVerdict> verdicts;
 	if (material.bounds.any())
-		bringWithinBounds(assembly, positions, material, options.maxDisplacement, brief, progress);
+		verdicts =
+			bringWithinBounds(assembly, positions, material, options.maxDisplacement, brief, progress);
 	else
 		constrainedNewton(assembly, positions, options, progress);
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
 	if (material.bounds.any())
-		judgeStrain(assembly, positions, material, panelOfPatch, limits, result.panels);
+		judgeStrain(verdicts, panelOfPatch, limits, result.panels);
 	else
 		judgeCurvature(assembly, positions, options, panelOfPatch, limits, result);
 	return result;
