@@ -98,6 +98,30 @@ TEST(BoundedStrain, WhatIsNearlyWithinItsBoundsIsMovedOntoThemAndNoFarther) {
 	}
 }
 
+TEST(BoundedStrain, RunsEndWherePlacesAreTooFarOnAverage) {
+	const PatchAssembly assembly = assembled(sphericalCap(capAngle, 8));
+	BoundedStrainOptions options = optionsFor(0.5 * equalBounds, 0.5 * equalBounds);
+	options.severalStarts = false;
+	options.searchBeyond = false;
+	Positions nearest = assembly.originalPositions;
+	const BoundedStrainReport whole = boundedStrain(assembly, nearest, options);
+	ASSERT_EQ(whole.status, Status::Converged);
+	const double mean = displacementMap(assembly.originalPositions, nearest).mean();
+	for (const double share : {0.3, 20.0}) {
+		options.meanOnWay = share * mean;
+		Positions positions = assembly.originalPositions;
+		const BoundedStrainReport report = boundedStrain(assembly, positions, options);
+		if (share > 1) {
+			EXPECT_TRUE(positions == nearest);
+			continue;
+		}
+		EXPECT_EQ(report.status, Status::NeedsCut);
+		EXPECT_GT(report.beyondBounds, patternTolerance);
+		EXPECT_LT(report.iterations, whole.iterations);
+		EXPECT_GT(displacementMap(assembly.originalPositions, positions).mean(), options.meanOnWay);
+	}
+}
+
 TEST(BoundedStrain, WarpAndWeftHaveBoundsOfTheirOwn) {
 	const PatchAssembly assembly = assembled(sphericalCap(capAngle, 8));
 	BoundedStrainOptions options = optionsFor(0.9 * equalBounds, 0.9 * equalBounds);
@@ -353,7 +377,8 @@ TEST(BoundedStrain, ChangesNothingWhenItIsStoppedOrRefuses) {
 	EXPECT_THROW(boundedStrain(assembly, positions, optionsFor(0, 0)), InvalidParameter);
 	for (double BoundedStrainOptions::*option :
 		 {&BoundedStrainOptions::fairness, &BoundedStrainOptions::maxDisplacement,
-		  &BoundedStrainOptions::smoothness, &BoundedStrainOptions::tolerance}) {
+		  &BoundedStrainOptions::smoothness, &BoundedStrainOptions::tolerance,
+		  &BoundedStrainOptions::meanOnWay}) {
 		BoundedStrainOptions options = optionsFor(0.01, 0.01);
 		options.*option = std::nan("");
 		EXPECT_THROW(boundedStrain(assembly, positions, options), InvalidParameter);

@@ -25,6 +25,7 @@ Status statusOf(BoundedEnding ending, const PatchAssembly& part) {
 	case BoundedEnding::Within:
 		return Status::Converged;
 	case BoundedEnding::Stuck:
+	case BoundedEnding::TooFar:
 		return holdsPlaces(part) ? Status::Stalled : Status::NeedsCut;
 	case BoundedEnding::OutOfSteps:
 		return Status::LimitReached;
@@ -58,7 +59,8 @@ BoundedOutcome judged(const PatchAssembly& part, LevelOutcome found, const Bound
 	result.status = statusOf(found.ending, part);
 	result.iterations = found.iterations;
 	result.positions = std::move(found.positions);
-	if (result.status == Status::Stopped || !measure(part, options, false, progress, result))
+	const bool onlyWithin = found.ending == BoundedEnding::TooFar;
+	if (result.status == Status::Stopped || !measure(part, options, onlyWithin, progress, result))
 		return result;
 	if (within(result))
 		result.status = Status::Converged;

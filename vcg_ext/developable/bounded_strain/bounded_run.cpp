@@ -2,6 +2,8 @@
 // bounded_run.cpp: steps, and when bounds harden between them.
 #include "bounded_run.h"
 
+#include "developable/geometry/geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -41,7 +43,7 @@ HeldGrain heldGrain(const PatchAssembly& assembly, const FlatPatterns& patterns,
 BoundedRun::BoundedRun(const PatchAssembly& assembly, const FlatPatterns& patterns, const Positions& start,
 					   const BoundedStrainOptions& options, double farthest, const BendingLimit& bending,
 					   double firstStiffness, const Progress& progress)
-	: options_(options), progress_(progress), firstStiffness_(firstStiffness),
+	: assembly_(assembly), options_(options), progress_(progress), firstStiffness_(firstStiffness),
 	  nearness_(nearness(assembly, options.smoothness, options.fairness)), bound_(assembly, farthest),
 	  bending_(assembly, bending),
 	  penalty_(strainedTriangles(assembly, start, patterns), options.bounds, elasticity),
@@ -71,6 +73,8 @@ BoundedEnding BoundedRun::run() {
 		const double decrease = steps_.step(unknowns_);
 		if (!steps_.solvable())
 			return BoundedEnding::Stuck;
+		if (tooFar())
+			return BoundedEnding::TooFar;
 		const double before = distance;
 		distance = steps_.distanceCost(unknowns_.shape);
 		beyond = violation();
@@ -97,6 +101,11 @@ BoundedEnding BoundedRun::run() {
 
 double BoundedRun::violation() const {
 	return penalty_.greatestViolation(unknowns_.shape, unknowns_.pattern);
+}
+
+bool BoundedRun::tooFar() const {
+	return options_.meanOnWay > 0 &&
+		   displacementMap(assembly_.originalPositions, unknowns_.shape).mean() > options_.meanOnWay;
 }
 
 bool BoundedRun::mayGoOn(double startViolation, double left) const {

@@ -7,7 +7,7 @@
 
 namespace developable::detail {
 
-enum class BoundedEnding { Within, Stuck, OutOfSteps, Stopped };
+enum class BoundedEnding { Within, Stuck, TooFar, OutOfSteps, Stopped };
 
 /// One run on one level.
 class BoundedRun {
@@ -25,8 +25,10 @@ public:
 
 private:
 	double violation() const;
+	bool tooFar() const;
 	bool mayGoOn(double startViolation, double left) const;
 
+	const PatchAssembly& assembly_;
 	const BoundedStrainOptions& options_;
 	const Progress& progress_;
 	const double firstStiffness_;

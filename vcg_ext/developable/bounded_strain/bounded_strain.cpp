@@ -22,6 +22,8 @@ void requireValid(const BoundedStrainOptions& options) {
 				  "The smoothness must be greater than 0 and at most 1.");
 	requireOption(options.fairness >= 0 && options.fairness <= 1, "The fairness must be between 0 and 1.");
 	requireOption(std::isfinite(options.maxDisplacement), "The largest displacement must be a number.");
+	requireOption(options.meanOnWay >= 0 && std::isfinite(options.meanOnWay),
+				  "The mean displacement on the way must be a length, 0 or more.");
 	requireOption(options.maxIterations >= 0, "The limit of iterations must not be negative.");
 	requireOption(options.leastRadius >= 0 && std::isfinite(options.leastRadius),
 				  "The smallest radius must be a length, 0 or more.");

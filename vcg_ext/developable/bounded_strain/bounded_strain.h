@@ -18,6 +18,9 @@ struct BoundedStrainOptions {
 	/// The smallest radius that places are to be bent to, length; 0: any. The shape stays above it where
 	/// strains within the bounds let it.
 	double leastRadius = 0;
+	/// How far places may be from the original ones on average, on the way, too, length; 0: any. A run that
+	/// goes beyond has failed.
+	double meanOnWay = 0;
 	int maxIterations = 200;  ///< steps, each with one linear system
 	double tolerance = 2e-5;  ///< by how much a strain may be beyond its bound: less than in layouts
 	bool searchBeyond = true; ///< for OptimizationReport::nearestDevelopable, where none was found within

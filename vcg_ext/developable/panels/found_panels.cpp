@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace developable::detail {
@@ -48,10 +49,13 @@ std::string perCent(double share) {
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress) {
 	std::optional<FoundPanels> found;
+	std::set<std::vector<int>> begun; // what begins alike ends alike
 	double work = 0;
 	for (const double deviation : clusterDeviations) {
 		PanelPlan plan(patches, limits, options, progress);
-		const bool hold = plan.search(deviation);
+		if (!begun.insert(plan.cluster(deviation)).second && !plan.stopped())
+			continue;
+		const bool hold = plan.search();
 		if (plan.stopped())
 			return foundBy(plan, hold);
 		if (found)

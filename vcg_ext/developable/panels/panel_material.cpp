@@ -46,16 +46,17 @@ Outlook outlookOf(const PatchAssembly& panel, const PanelMaterial& material, dou
 }
 
 std::vector<PatternVerdict> bringWithinBounds(const PatchAssembly& assembly, Positions& positions,
-											  const PanelMaterial& material, double maxDisplacement,
-											  bool brief, const Progress& progress) {
+											  const PanelMaterial& material, const BoundedSearch& search,
+											  const Progress& progress) {
 	BoundedStrainOptions options;
 	options.bounds = material.bounds;
 	options.grain = material.grain;
 	options.smoothness = material.smoothness;
-	options.maxDisplacement = maxDisplacement;
+	options.maxDisplacement = search.maxDisplacement;
+	options.meanOnWay = search.meanOnWay;
 	options.searchBeyond = false;
-	options.severalStarts = !brief;
-	if (brief)
+	options.severalStarts = !search.brief;
+	if (search.brief)
 		options.maxIterations = briefSteps;
 	FlatPatterns patterns = boundedStrain(assembly, positions, options, progress).patterns;
 	if (patterns.pieces.empty()) // of several parts

@@ -36,13 +36,18 @@ struct PatternVerdict {
 	bool holds() const { return usable && beyondBounds <= patternTolerance; }
 };
 
+/// How far a shape within the bounds is looked for.
+struct BoundedSearch {
+	double maxDisplacement = -1; ///< as in BoundedStrainOptions; so is the next
+	double meanOnWay = 0;
+	bool brief = false; ///< whether to give up early
+};
+
 /// Moves places to the nearest shape whose patterns are within the bounds, as Global Developability will.
-/// \param maxDisplacement  as in BoundedStrainOptions
-/// \param brief            a run that gives up early
-/// \return                 one for each patch, laid flat within the bounds
+/// \return  one for each patch, laid flat within the bounds
 std::vector<PatternVerdict> bringWithinBounds(const PatchAssembly& assembly, Positions& positions,
-											  const PanelMaterial& material, double maxDisplacement,
-											  bool brief, const Progress& progress);
+											  const PanelMaterial& material, const BoundedSearch& search,
+											  const Progress& progress);
 
 } // namespace detail
 

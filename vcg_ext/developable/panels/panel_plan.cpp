@@ -99,12 +99,16 @@ Progress PanelPlan::progressOfRest() {
 	return [this](double, const std::string&) { return tests_->mayGoOn(0.7, "sewing the panels together"); };
 }
 
+const std::vector<int>& PanelPlan::cluster(double deviation) {
+	makeFirstPanels(planned_, *tests_, options_, deviation);
+	clusters_ = planned_.surface.panels();
+	return clusters_;
+}
+
 /// As few panels as can be, if these hold when they are sewn together, or soon do; else those that were
 /// joined greedily, which are more and hold sooner.
-void PanelPlan::joinUntilAllHold(double clusterDeviation) {
+void PanelPlan::joinUntilAllHold() {
 	constexpr int roundsOfFew = 8, rounds = 12;
-	makeFirstPanels(planned_, *tests_, options_, clusterDeviation);
-	clusters_ = planned_.surface.panels();
 	joinPanels(planned_.surface, *tests_, history_);
 	const PlannedSurface joined = planned_;
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
@@ -198,8 +202,8 @@ SewnPanels PanelPlan::smoothSeams() {
 	return sewn;
 }
 
-bool PanelPlan::search(double clusterDeviation) {
-	joinUntilAllHold(clusterDeviation);
+bool PanelPlan::search() {
+	joinUntilAllHold();
 	sewn_ = joinedWithDarts();
 	absorbSmallPanels();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {

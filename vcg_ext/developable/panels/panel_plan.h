@@ -22,10 +22,13 @@ public:
 	PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
 			  const Progress& progress);
 
-	/// Finds panels.
-	/// \param clusterDeviation  as in ClusterOptions: how coarse the clusters are that joining begins with
-	/// \return                  whether all hold when they are sewn together
-	bool search(double clusterDeviation);
+	/// Makes the clusters that joining begins with.
+	/// \param deviation  as in ClusterOptions: how coarse they are
+	/// \return           per triangle
+	const std::vector<int>& cluster(double deviation);
+
+	/// Finds panels, once there are clusters. \return  whether all hold when they are sewn together
+	bool search();
 
 	/// The same with panels that mirror each other, without darts. Where some do not hold in the end they are
 	/// divided, and then do not mirror each other any more.
@@ -54,7 +57,7 @@ public:
 private:
 	void joinToSoFew();
 
-	void joinUntilAllHold(double clusterDeviation);
+	void joinUntilAllHold();
 	void absorbSmallPanels();
 	bool absorb(int panel, int neighbour);
 	bool keepIfAllHold(CutSurface changed);

@@ -10,6 +10,7 @@ namespace developable::detail {
 
 namespace {
 
+constexpr double meanOnWay = 1.05;      ///< shapes that hold hardly ever have been farther from the original
 constexpr double greatestStrain = 1e-3; ///< of a developable panel laid flat: C ≤ 1e-4 leaves far less
 
 bool isDisk(const PatchAssembly& assembly) {
@@ -26,7 +27,7 @@ bool isSheet(const PatchAssembly& assembly) {
 /// Long runs are for shapes that a user asks for: what a panel needs is near. Borders may kink: they still
 /// are jagged, and smooth ones need less.
 ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
-	constexpr double meanOnWay = 1.05, farthestOnWay = 2; // shapes that hold hardly ever have been farther
+	constexpr double farthestOnWay = 2;
 	ConstrainedNewtonOptions options;
 	options.maxIterations = 60;
 	options.maxDisplacement = limits.maxDisplacement;
@@ -95,9 +96,9 @@ void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, cons
 	if (outlook == Outlook::Hopeless)
 		return;
 	Positions positions = assembly.originalPositions;
+	const BoundedSearch search{limits.maxDisplacement, meanOnWay * limits.meanDisplacement, true};
 	const PatternVerdict pattern =
-		bringWithinBounds(assembly, positions, limits.material, limits.maxDisplacement, true, progress)
-			.front();
+		bringWithinBounds(assembly, positions, limits.material, search, progress).front();
 	verdict.flat = isNear(assembly, positions, limits, verdict) && pattern.holds();
 	if (verdict.flat)
 		verdict.obstacle = Obstacle::None;
