@@ -54,13 +54,14 @@ run_check "clang-tidy" check_cpp_tidy
 
 report=$build_root/reports/cpp.xml
 run_tests "C++ unit tests" ctest --preset tests --output-junit "$report"
-# What opens windows, or builds, has the machine to itself.
-alone=(tests/build_system tests/gui tests/meshlabserver)
+# What opens windows mostly waits for them: it goes well beside builds, not beside tests that calculate.
+apart=(tests/build_system tests/gui tests/meshlabserver)
 report=$build_root/reports/python.xml
 run_tests "tests in .venv" .venv/bin/python -m pytest -q --junitxml="$report" --numprocesses auto --dist loadfile \
-	"${alone[@]/#/--ignore=}"
+	"${apart[@]/#/--ignore=}"
 report=$build_root/reports/hosts.xml
-run_tests "tests of builds and hosts" .venv/bin/python -m pytest -q --junitxml="$report" "${alone[@]}"
+run_tests "tests of builds and hosts" .venv/bin/python -m pytest -q --junitxml="$report" --numprocesses 3 --dist loadfile \
+	"${apart[@]}"
 report=$build_root/reports/python-2022.2.xml
 run_tests "tests in .venv-2022.2" .venv-2022.2/bin/python -m pytest -q --junitxml="$report" tests/pymeshlab
 
