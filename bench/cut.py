@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cuts every mesh of a folder into panels, makes them developable, lays them flat, and prints a table.
 
-`bash bench/run.sh cut FOLDER [name=value...]`, with parameters of the filter. Seams and distances are shares
-of the diagonal D of the input's box; distances are from the result's vertices to the input's surface. Beside
-it how long seams are beside smooth curves, and the charts of xatlas with its defaults, on the same mesh: how
-many, and how long their seams are.
+`bash bench/run.sh cut FOLDER [name=value...]`, with parameters of the filter; those of the material hold for
+all three steps. Seams and distances are shares of the diagonal D of the input's box; distances are from the
+result's vertices to the input's surface. Beside it how long seams are beside smooth curves, and the charts
+of xatlas with its defaults, on the same mesh: how many, and how long their seams are.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from meshlab_developable import mesh_sets
 from smooth_curves import seams_beside_smooth_curves
 
 SUFFIXES = {".obj", ".ply", ".off", ".stl"}
+OF_MATERIAL = {"allowed_stretch", "allowed_compression"}
 HEAD = (
     "mesh", "triangles", "panels", "darts", "seams, D", "mean distance, %", "largest, %", "C, rad",
     "largest strain", "overlapping", "s", "seams / smooth curves", "worst", "xatlas charts",
@@ -51,8 +52,9 @@ def measured(path: Path, parameters: dict[str, Any]) -> list[object]:
     start = time.perf_counter()
     cut = meshlab_developable.cut_into_panels(vertices, faces, **parameters)
     seconds = time.perf_counter() - start
-    developed = meshlab_developable.make_developable(cut.vertices, cut.faces)
-    flat = meshlab_developable.flatten(developed.vertices, developed.faces)
+    material = {name: value for name, value in parameters.items() if name in OF_MATERIAL}
+    developed = meshlab_developable.make_developable(cut.vertices, cut.faces, **material)
+    flat = meshlab_developable.flatten(developed.vertices, developed.faces, **material)
     surface = trimesh.Trimesh(vertices, faces, process=False)
     distances = trimesh.proximity.closest_point(surface, developed.vertices)[1] / diagonal
     sides = vertices[faces] - vertices[np.roll(faces, -1, axis=1)]
