@@ -61,7 +61,6 @@ configure() { (cd "$root" && cmake --preset "$1" >"$build_root/$1.log") || fail 
 
 # build TARGET: Ninja itself sees what is out of date
 build() {
-	mkdir -p "$build_root"
 	once "$build_root/$1/.configured" "$(checksum "$root/CMakePresets.json") $root ${DEVELOPABLE_HOST_LIBRARY:-}" configure "$1"
 	say "building $1"
 	cmake --build "$build_root/$1" -j "$(nproc)" -- --quiet 2>&1 | sed '/^ninja: no work to do/d; /^-- /d'
@@ -71,4 +70,4 @@ targets=("$@")
 if ((${#targets[@]} == 0)); then targets=("${all_targets[@]}"); fi
 provide_library
 for target in "${targets[@]}"; do provide_host "$target"; done
-for target in library "${targets[@]}"; do build "$target"; done
+for target in library "${targets[@]}"; do alone "$build_root/.$target.lock" build "$target"; done

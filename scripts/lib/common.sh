@@ -33,3 +33,14 @@ once() {
 	mkdir -p "$(dirname "$stamp")"
 	printf '%s\n' "$key" >"$stamp"
 }
+
+# alone LOCK COMMAND...: runs the command while no other process runs one under the same lock
+alone() {
+	local lock=$1
+	shift
+	mkdir -p "$(dirname "$lock")"
+	(
+		flock 9
+		"$@"
+	) 9>"$lock"
+}

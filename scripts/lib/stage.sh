@@ -23,7 +23,7 @@ make_stage() {
 # provide_stage: sets up what is missing of it
 provide_stage() {
 	bash "$root/scripts/setup.sh" meshlab-2020.09 >&2
-	once "$stage/.complete" "$(dpkg-query -W -f '${Version}' meshlab) $root" make_stage
+	alone "$build_root/.stage.lock" once "$stage/.complete" "$(dpkg-query -W -f '${Version}' meshlab) $root" make_stage
 }
 
 # run_staged PROGRAM [ARGS]: sets up what is missing and becomes the program, on a virtual display where it has to

@@ -206,8 +206,8 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	Positions positions = assembly.originalPositions;
 	std::vector<PatternVerdict> verdicts;
 	if (material.bounds.any())
-		verdicts = bringWithinBounds(assembly, positions, material, {options.maxDisplacement, 0, brief},
-									 progress);
+		verdicts =
+			bringWithinBounds(assembly, positions, material, {options.maxDisplacement, 0, brief}, progress);
 	else
 		constrainedNewton(assembly, positions, options, progress);
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
