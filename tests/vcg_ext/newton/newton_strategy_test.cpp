@@ -62,6 +62,25 @@ TEST(NewtonStrategy, SaysThatAShapeWithAShortRimNeedsACut) {
 	expectNeedsCut(assembly);
 }
 
+/// Levels of 1500, 2601 and 10404 places: half of the time is left when the finest begins, and a good deal of
+/// it is gone while nothing was told, when the coarsest does.
+TEST(NewtonStrategy, CountsCoarseningAndLevelsAsProgress) {
+	const PatchAssembly assembly = assembled(jitteredGrid(102, 102, bumpedCylinder));
+	Positions positions = assembly.originalPositions;
+	double atCoarsest = 0, atFinest = 0;
+	constrainedNewton(assembly, positions, {}, [&](double fraction, const std::string& message) {
+		if (atCoarsest == 0 && message.rfind("1 steps", 0) == 0)
+			atCoarsest = fraction;
+		if (atFinest == 0 && message.rfind("10404 vertices", 0) == 0)
+			atFinest = fraction;
+		return true;
+	});
+	EXPECT_GT(atCoarsest, 0.05);
+	EXPECT_LT(atCoarsest, 0.2);
+	EXPECT_GT(atFinest, 0.4);
+	EXPECT_LT(atFinest, 0.7);
+}
+
 TEST(NewtonStrategy, StopsOnAnyLevelAndLeavesThePositions) {
 	const PatchAssembly assembly = assembled(jitteredGrid(45, 45, bumpedCylinder));
 	Positions positions = assembly.originalPositions;

@@ -9,7 +9,7 @@ namespace developable::detail {
 namespace {
 
 /// Of the progress: most often the careful attempt is the only one.
-constexpr double shareOfCareful = 0.5;
+constexpr double shareOfCareful = 0.6;
 
 /// An attempt that may be needed next, on another thread. It has a problem of its own, and what work and
 /// steps there were when the one before it began.

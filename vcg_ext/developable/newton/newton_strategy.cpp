@@ -19,6 +19,11 @@ namespace {
 
 constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
+/// How many a coarser level is to have.
+int coarserPlaces(int places, const NewtonTuning& tuning) {
+	return std::max(tuning.coarsest, static_cast<int>(places / tuning.levelRatio));
+}
+
 /// The whole displacement, or as much of it as leaves the triangles in order and moves no place too far.
 Positions soundStart(const NewtonProblem& problem, const Positions& displacement) {
 	const Positions& original = problem.assembly().originalPositions;
@@ -36,13 +41,19 @@ Positions soundStart(const NewtonProblem& problem, const Positions& displacement
 
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
 /// WorkBudget: most of it on the coarsest, and steps along the normals on the others.
-double expectedWork(double places, const NewtonTuning& tuning) {
-	constexpr double ofCoarsest = 900, ofFiner = 200; // a place
-	if (places <= tuning.coarsest)
-		return ofCoarsest * places;
-	return ofFiner * places +
-		   expectedWork(std::max<double>(tuning.coarsest, places / tuning.levelRatio), tuning);
-}
+struct ExpectedWork {
+	double coarsening = 0, onCoarser = 0, onFinest = 0;
+
+	ExpectedWork(int places, const NewtonTuning& tuning) {
+		constexpr double ofCoarsest = 900, ofFiner = 100, ofCoarsening = 20; // a place
+		onFinest = (places > tuning.coarsest ? ofFiner : ofCoarsest) * places;
+		if (places <= tuning.coarsest)
+			return;
+		coarsening = ofCoarsening * places;
+		onCoarser = ExpectedWork(coarserPlaces(places, tuning), tuning).whole();
+	}
+	double whole() const { return coarsening + onCoarser + onFinest; }
+};
 
 /// What is about to be done, and how long it may take.
 std::string announce(const PatchAssembly& assembly, double seconds) {
@@ -153,16 +164,15 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const int places = assembly.placeCount();
 	if (places <= tuning_.coarsest)
 		return solveCoarsest(level, start, progress);
-	const PartialAssembly coarse =
-		Coarsening(assembly, tuning_)
-			.coarsen(std::max(tuning_.coarsest, static_cast<int>(places / tuning_.levelRatio)));
+	const PartialAssembly coarse = Coarsening(assembly, tuning_).coarsen(coarserPlaces(places, tuning_));
 	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)
 		return solveCoarsest(level, start, progress);
 	const double sizes = double(places) / coarse.assembly.placeCount();
 	const Level coarseLevel = levelOf(coarse.assembly, level.coarseness * std::sqrt(sizes));
 
-	const double coarseShare =
-		expectedWork(coarse.assembly.placeCount(), tuning_) / expectedWork(places, tuning_);
+	const ExpectedWork work(places, tuning_);
+	const double coarseBegin = work.coarsening / work.whole();
+	const double coarseEnd = coarseBegin + work.onCoarser / work.whole();
 	const auto begin = std::chrono::steady_clock::now();
 	const Positions coarseStart = coarse.assembly.originalPositions +
 								  (start - assembly.originalPositions)(Eigen::all, coarse.wholePlace);
@@ -170,8 +180,8 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	std::optional<WorkReserve> reserve(std::in_place, *budget_, tuning_.reserveOfCoarse);
 	Refinement refinement(assembly, coarse, tuning_, memoryLimit_, [&] { return fineProblemOf(level); });
 	refinement.prepareBeside([&] {
-		coarseOutcome =
-			coarser(descends(level)).solveLevel(coarseLevel, coarseStart, partOf(progress, 0, coarseShare));
+		coarseOutcome = coarser(descends(level))
+							.solveLevel(coarseLevel, coarseStart, partOf(progress, coarseBegin, coarseEnd));
 	});
 	reserve.reset();
 	if (coarseOutcome.ending == Ending::Stopped || coarseOutcome.ending == Ending::TooFar) {
@@ -183,7 +193,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const Positions displacement =
 		refinement.prolonged(coarseOutcome.positions - coarseLevel.reference().originalPositions);
 	return refine(level, refinement.problem(), displacement, coarseOutcome,
-				  partOf(progress, coarseShare, 1, announcement));
+				  partOf(progress, coarseEnd, 1, announcement));
 }
 
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
