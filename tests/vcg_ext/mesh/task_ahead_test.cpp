@@ -34,6 +34,20 @@ TEST(TaskAhead, RunsOnAThreadOfItsOwnWithoutMore) {
 	EXPECT_EQ(threads, 1);
 }
 
+TEST(TaskAhead, HasEndedOnceItHasRun) {
+	std::atomic<bool> wait = true;
+	TaskAhead task([&](const Progress&) {
+		while (wait)
+			std::this_thread::yield();
+	});
+	EXPECT_FALSE(task.ended());
+	task.begin();
+	EXPECT_FALSE(task.ended());
+	wait = false;
+	task.finish({});
+	EXPECT_TRUE(task.ended());
+}
+
 TEST(TaskAhead, StopsWhenItIsAbandoned) {
 	std::atomic<bool> stopped = false;
 	{

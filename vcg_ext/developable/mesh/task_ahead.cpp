@@ -28,6 +28,11 @@ void TaskAhead::begin() {
 	}
 }
 
+bool TaskAhead::ended() const {
+	const std::lock_guard lock(mutex_);
+	return ended_;
+}
+
 void TaskAhead::work() {
 	const ThreadShare alone(1);
 	try {

@@ -26,6 +26,8 @@ public:
 	/// Where no other thread can be had it does not begin.
 	void begin();
 	bool begun() const { return thread_.joinable(); }
+	/// Whether it has run to its end.
+	bool ended() const;
 
 	/// Waits for the end of a task that has begun, and tells how far it is; a stop that the progress asks for
 	/// is handed on. \throws what the task has thrown
@@ -36,7 +38,7 @@ private:
 
 	const Run run_;
 	std::thread thread_;
-	std::mutex mutex_;
+	mutable std::mutex mutex_;
 	std::condition_variable end_;
 	bool ended_ = false, stop_ = false;
 	double fraction_ = 0;

@@ -12,6 +12,7 @@ namespace {
 /// Pairs that are tested at once. Pairs in a batch have no panel in common, so that the outcome of one does
 /// not change another; the number is fixed, so that the outcome does not depend on the machine.
 constexpr int batchSize = 4;
+constexpr std::size_t aheadAtOnce = 2; ///< tests on a thread that would idle
 
 constexpr double smallShare = 0.05; ///< of a patch's area
 constexpr int mostFailures = 6;     ///< of joins that were sewn together
@@ -26,8 +27,10 @@ public:
 		const double first = static_cast<double>(seamChains(surface_).size());
 		while (true) {
 			const std::vector<SeamChain> batch = nextBatch();
-			const std::string message = std::to_string(left_) + " seams between panels to try to take out";
-			if (batch.empty() || !tests_.mayGoOn(0.2 + 0.5 * (1 - left_ / std::max(first, 1.0)), message))
+			const std::string message =
+				std::to_string(left_.size()) + " seams between panels to try to take out";
+			if (batch.empty() ||
+				!tests_.mayGoOn(0.2 + 0.5 * (1 - double(left_.size()) / std::max(first, 1.0)), message))
 				return;
 			joinThoseThatMay(batch);
 		}
@@ -45,8 +48,31 @@ private:
 											   history_.wasRefused(surface_, chain.halfEdges);
 									}),
 					 chains.end());
-		left_ = static_cast<int>(chains.size());
-		return firstApart(longestFirst(std::move(chains)), batchSize);
+		left_ = longestFirst(std::move(chains));
+		return firstApart(left_, batchSize);
+	}
+
+	/// Most unions are no panels: then the next longest seams are tried.
+	void testAhead(const std::vector<SeamChain>& batch, const std::vector<PanelTrial>& trials) {
+		const auto isInBatch = [&](const SeamChain& chain) {
+			return std::any_of(batch.begin(), batch.end(), [&](const SeamChain& other) {
+				return other.halfEdges.front() == chain.halfEdges.front();
+			});
+		};
+		int idle = tests_.idleBeside(trials);
+		for (auto chain = left_.begin(); idle > 0; --idle) {
+			std::vector<PanelTrial> next;
+			for (; chain != left_.end() && next.size() < aheadAtOnce; ++chain) {
+				if (isInBatch(*chain))
+					continue;
+				PanelTrial trial = trialAcross(surface_, chain->halfEdges);
+				if (!tests_.knowsSoon(trial))
+					next.push_back(std::move(trial));
+			}
+			if (next.empty())
+				return;
+			ahead_.begin([next = std::move(next)](PanelTester& tests) { tests.test(next); });
+		}
 	}
 
 	void joinThoseThatMay(const std::vector<SeamChain>& batch) {
@@ -54,19 +80,24 @@ private:
 		trials.reserve(batch.size());
 		for (const SeamChain& chain : batch)
 			trials.push_back(trialAcross(surface_, chain.halfEdges));
+		testAhead(batch, trials);
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)
 			if (verdicts[i].isPanel())
 				history_.join(surface_, batch[i].halfEdges);
 			else
 				history_.refuse(surface_, batch[i].halfEdges);
+		if (std::any_of(verdicts.begin(), verdicts.end(),
+						[](const auto& verdict) { return verdict.isPanel(); }))
+			ahead_.abandon();
 	}
 
 	CutSurface& surface_;
 	PanelTests& tests_;
 	JoinHistory& history_;
 	const std::function<bool(const SeamChain&)>& mayGo_;
-	int left_ = 0;
+	std::vector<SeamChain> left_; // the longest first
+	TestsAhead ahead_{tests_};
 };
 
 } // namespace

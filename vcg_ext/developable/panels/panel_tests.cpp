@@ -9,12 +9,6 @@ namespace {
 constexpr double shareAlone = 0.75;    ///< of the greatest displacement: what a panel may need by itself
 constexpr double meanOfGreatest = 0.3; ///< mean displacement as a share of the greatest
 
-/// What a verdict depends on, within a patch.
-std::pair<std::vector<double>, std::vector<int>> keyOf(const TriangleMesh& panel) {
-	return {{panel.positions.data(), panel.positions.data() + panel.positions.size()},
-			{panel.triangles.data(), panel.triangles.data() + panel.triangles.size()}};
-}
-
 } // namespace
 
 PanelTrial trialOf(const CutSurface& surface, const std::vector<int>& triangles) {
@@ -40,8 +34,22 @@ PanelLimits PanelTests::limitsOf(int patch) const {
 
 void PanelTests::scaleLimits(double factor) {
 	if (factor != scale_)
-		known_.clear();
+		verdicts_.forget();
 	scale_ = factor;
+}
+
+std::optional<PanelVerdict> PanelTests::verdictOn(const PanelTrial& trial, const Progress& progress) {
+	return verdicts_.on(trial.panel, progress, [&]() -> std::optional<PanelVerdict> {
+		bool stopped = false;
+		const PanelVerdict verdict =
+			testPanel(trial.panel, limitsOf(trial.patch), [&](double done, const std::string& message) {
+				stopped = stopped || !developable::mayGoOn(progress, done, message);
+				return !stopped;
+			});
+		if (stopped)
+			return {};
+		return verdict;
+	});
 }
 
 std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {
@@ -49,22 +57,58 @@ std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials
 	std::vector<Task> tasks;
 	tasks.reserve(trials.size());
 	for (std::size_t i = 0; i < trials.size(); ++i) {
-		const auto known = known_.find(keyOf(trials[i].panel));
-		if (known != known_.end()) {
-			verdicts[i] = known->second;
-			continue;
-		}
-		work_ += trials[i].panel.triangleCount();
+		if (verdicts_.want(trials[i].panel))
+			work_ += trials[i].panel.triangleCount();
 		tasks.push_back({1, [&, i](const Progress& progress) {
 							 if (!stopped_)
-								 verdicts[i] =
-									 testPanel(trials[i].panel, limitsOf(trials[i].patch), progress);
+								 verdicts[i] = verdictOn(trials[i], progress).value_or(PanelVerdict());
 						 }});
 	}
 	runTasks(tasks, 0, [&](double, const std::string&) { return mayGoOn(fractionDone_, message_); });
-	for (std::size_t i = 0; i < trials.size() && !stopped_; ++i)
-		known_.emplace(keyOf(trials[i].panel), verdicts[i]);
 	return verdicts;
+}
+
+int PanelTests::idleBeside(const std::vector<PanelTrial>& trials) const {
+	const auto busy = std::count_if(trials.begin(), trials.end(),
+									[&](const PanelTrial& trial) { return !knowsSoon(trial); });
+	return threadsAtHand() - static_cast<int>(busy) - jobsAhead_;
+}
+
+/// Those of a job ahead, one after the other.
+class PanelTests::Ahead : public PanelTester {
+public:
+	Ahead(PanelTests& tests, const Progress& progress) : tests_(tests), progress_(progress) {}
+	Ahead(const Ahead&) = delete;
+	Ahead& operator=(const Ahead&) = delete;
+	~Ahead() override { --tests_.jobsAhead_; }
+
+	std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials) override {
+		std::vector<PanelVerdict> verdicts(trials.size());
+		for (std::size_t i = 0; i < trials.size() && !stopped_; ++i) {
+			const std::optional<PanelVerdict> verdict = tests_.verdictOn(trials[i], progress_);
+			stopped_ = !verdict;
+			verdicts[i] = verdict.value_or(PanelVerdict());
+		}
+		return verdicts;
+	}
+	bool stopped() const override { return stopped_; }
+
+private:
+	PanelTests& tests_;
+	const Progress& progress_;
+	bool stopped_ = false;
+};
+
+std::unique_ptr<TaskAhead> PanelTests::testAhead(std::function<void(PanelTester&)> job) {
+	auto task = std::make_unique<TaskAhead>([this, job = std::move(job)](const Progress& progress) {
+		Ahead ahead(*this, progress);
+		job(ahead);
+	});
+	++jobsAhead_;
+	task->begin();
+	if (!task->begun())
+		--jobsAhead_;
+	return task;
 }
 
 bool PanelTests::areAllPanels(const std::vector<PanelTrial>& trials) {
@@ -81,6 +125,12 @@ bool PanelTests::mayGoOn(double fractionDone, const std::string& message) {
 	if (!stopped_ && !developable::mayGoOn(progress_, fractionDone_, message_))
 		stopped_ = true;
 	return !stopped_;
+}
+
+void TestsAhead::begin(std::function<void(PanelTester&)> job) {
+	jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), [](const auto& task) { return task->ended(); }),
+				jobs_.end());
+	jobs_.push_back(tests_.testAhead(std::move(job)));
 }
 
 } // namespace developable::detail

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "cut_surface.h"
-#include "panel_test.h"
+#include "panel_verdicts.h"
+
+#include "developable/mesh/task_ahead.h"
 
 #include <algorithm>
 #include <atomic>
-#include <map>
+#include <memory>
 
 namespace developable::detail {
 
@@ -23,7 +25,17 @@ PanelTrial trialOf(const CutSurface& surface, const std::vector<int>& triangles)
 /// What meets at some half edges, without the cuts there. The surface is the same afterwards.
 PanelTrial trialAcross(CutSurface& surface, const std::vector<int>& halfEdges);
 
-class PanelTests {
+/// Who can be asked for verdicts.
+class PanelTester {
+public:
+	virtual ~PanelTester() = default;
+
+	virtual std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials) = 0;
+	/// Then verdicts mean nothing.
+	virtual bool stopped() const = 0;
+};
+
+class PanelTests : public PanelTester {
 public:
 	/// \param maxDisplacement  per patch of the surface, length
 	PanelTests(std::vector<double> maxDisplacement, const PanelMaterial& material, Progress progress);
@@ -33,13 +45,21 @@ public:
 	/// All limits are so many times what they were at first.
 	void scaleLimits(double factor);
 
-	std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials);
+	std::vector<PanelVerdict> test(const std::vector<PanelTrial>& trials) override;
 	/// Whether all are panels; not when the user asks for a stop.
 	bool areAllPanels(const std::vector<PanelTrial>& trials);
 
+	/// How many threads will idle while some trials are tested.
+	int idleBeside(const std::vector<PanelTrial>& trials) const;
+	/// Begins on such a thread what will be asked for next if the trials of now fail: the verdicts are the
+	/// same, and known sooner. They count as work when they are asked for.
+	std::unique_ptr<TaskAhead> testAhead(std::function<void(PanelTester&)> job);
+	/// Whether a verdict is known, or some thread is about to know it.
+	bool knowsSoon(const PanelTrial& trial) const { return verdicts_.has(trial.panel); }
+
 	/// Says how far the work is. \return false when the user asked for a stop, now or before
 	bool mayGoOn(double fractionDone, const std::string& message);
-	bool stopped() const { return stopped_; }
+	bool stopped() const override { return stopped_; }
 
 	/// How much has been tested, in triangles: what time may be measured by and be the same on every run.
 	double work() const { return work_; }
@@ -49,16 +69,34 @@ public:
 
 private:
 	static constexpr double smallWork = 3e5; // triangles, which take seconds
+	class Ahead;
+
+	/// \return nothing where it was asked to stop
+	std::optional<PanelVerdict> verdictOn(const PanelTrial& trial, const Progress& progress);
 
 	const std::vector<double> maxDisplacement_;
 	const PanelMaterial material_;
 	const Progress progress_;
 	double scale_ = 1;
 	double work_ = 0;
-	std::map<std::pair<std::vector<double>, std::vector<int>>, PanelVerdict> known_; // by vertices, triangles
+	PanelVerdicts verdicts_;
+	std::atomic<int> jobsAhead_{0}; // that have not ended
 	std::atomic<bool> stopped_{false};
 	double fractionDone_ = 0;
 	std::string message_;
+};
+
+/// Tests ahead that are of use as long as the surface is what it is.
+class TestsAhead {
+public:
+	explicit TestsAhead(PanelTests& tests) : tests_(tests) {}
+
+	void begin(std::function<void(PanelTester&)> job);
+	void abandon() { jobs_.clear(); }
+
+private:
+	PanelTests& tests_;
+	std::vector<std::unique_ptr<TaskAhead>> jobs_;
 };
 
 } // namespace developable::detail

@@ -40,7 +40,8 @@ public:
 			std::vector<Union> unions = nextUnions();
 			if (unions.empty() || !tests_.mayGoOn(0.7, "trying panels with darts"))
 				return;
-			relieve(unions);
+			relieveAhead(unions);
+			relieve(unions, tests_);
 			for (const Union& joined : unions)
 				if (joined.holds() && !tests_.stopped())
 					keep(joined);
@@ -48,30 +49,54 @@ public:
 	}
 
 private:
+	using Key = std::array<int, 3>;
+
+	static Key keyOf(const SeamChain& chain) {
+		return {chain.panels[0], chain.panels[1], chain.halfEdges.front()};
+	}
+
+	Union unionAcross(const SeamChain& chain) const {
+		Union joined{chain, surface_, -1, {}, 0, {}};
+		joined.panel = joined.surface.join(chain.halfEdges);
+		return joined;
+	}
+
 	/// Across the longest seams that were not tried; no two have a panel in common.
 	std::vector<Union> nextUnions() {
 		const auto isNew = [&](const SeamChain& chain) {
-			return !chain.within() &&
-				   tried_.insert({chain.panels[0], chain.panels[1], chain.halfEdges.front()}).second;
+			return !chain.within() && tried_.insert(keyOf(chain)).second;
 		};
 		std::vector<Union> unions;
-		for (const SeamChain& chain : firstApart(longestFirst(seamChains(surface_)), unionsAtOnce, isNew)) {
-			Union joined{chain, surface_, -1, {}, 0, {}};
-			joined.panel = joined.surface.join(chain.halfEdges);
-			unions.push_back(std::move(joined));
-		}
+		for (const SeamChain& chain : firstApart(longestFirst(seamChains(surface_)), unionsAtOnce, isNew))
+			unions.push_back(unionAcross(chain));
 		return unions;
 	}
 
+	/// Each at its own pace. Most unions do not hold: then the next are tried.
+	void relieveAhead(const std::vector<Union>& unions) {
+		for (std::size_t i = 1; i < unions.size(); ++i)
+			relieveAhead(unions[i].chain);
+		for (const SeamChain& chain : longestFirst(seamChains(surface_)))
+			if (!chain.within() && tried_.count(keyOf(chain)) == 0)
+				relieveAhead(chain);
+	}
+
+	void relieveAhead(const SeamChain& chain) {
+		if (tests_.idleBeside({}) > 1 && begun_.insert(keyOf(chain)).second) // one is for this thread
+			ahead_.begin([this, unions = std::vector<Union>{unionAcross(chain)}](PanelTester& tests) mutable {
+				relieve(unions, tests);
+			});
+	}
+
 	/// Another dart in each that does not hold, again and again.
-	void relieve(std::vector<Union>& unions) {
+	void relieve(std::vector<Union>& unions, PanelTester& tests) const {
 		std::vector<Union*> open;
 		open.reserve(unions.size());
 		for (Union& joined : unions)
 			open.push_back(&joined);
 		double length = firstDartLength;
-		for (int darts = 0; !open.empty() && !tests_.stopped(); ++darts, length *= lengthIncrease) {
-			test(open);
+		for (int darts = 0; !open.empty() && !tests.stopped(); ++darts, length *= lengthIncrease) {
+			test(open, tests);
 			open.erase(std::remove_if(open.begin(), open.end(),
 									  [&](Union* joined) {
 										  return joined->holds() || !joined->verdict.disk ||
@@ -81,12 +106,12 @@ private:
 		}
 	}
 
-	void test(const std::vector<Union*>& unions) {
+	static void test(const std::vector<Union*>& unions, PanelTester& tests) {
 		std::vector<PanelTrial> trials;
 		trials.reserve(unions.size());
 		for (const Union* joined : unions)
 			trials.push_back(trialOf(joined->surface, joined->surface.trianglesOf(joined->panel)));
-		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
+		const std::vector<PanelVerdict> verdicts = tests.test(trials);
 		for (std::size_t i = 0; i < unions.size(); ++i)
 			unions[i]->verdict = verdicts[i];
 	}
@@ -100,6 +125,8 @@ private:
 	}
 
 	void keep(const Union& joined) {
+		ahead_.abandon();
+		begun_.clear();
 		history_.join(surface_, joined.chain.halfEdges);
 		const int panel = surface_.panelOf(triangleOf(joined.chain.halfEdges.front()));
 		for (const int t : surface_.trianglesOf(panel))
@@ -115,7 +142,9 @@ private:
 	std::vector<Eigen::Vector3d>& tips_;
 	const std::vector<char>& held_;
 	const double mostWork_;
-	std::set<std::array<int, 3>> tried_;
+	std::set<Key> tried_;
+	std::set<Key> begun_; // ahead
+	TestsAhead ahead_{tests_};
 };
 
 } // namespace
