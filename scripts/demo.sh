@@ -5,5 +5,5 @@
 
 . "$(dirname "$0")/lib/common.sh"
 
-bash "$root/scripts/setup.sh" pymeshlab-2025.7
+bash "$root/scripts/setup.sh" demo
 exec "$root/.venv/bin/python" -m meshlab_developable.demo --out "$root/out/demo" "$@"

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # setup.sh [TARGET...]: installs what is missing and builds the targets, all of them when none is named.
 # A target is a host, whose plugin becomes build/HOST/libfilter_developable.so, or `tests`, the C++ unit tests.
-# Another target, wheel, is the plugin for python/hatch_build.py, which names its host's library. What all of them link, the
-# library of vcg_ext, is built first.
+# Two other targets are demo, which is pymeshlab-2025.7 with a Python environment that has no more than the demo needs, and
+# wheel, the plugin for python/hatch_build.py, which names its host's library. What all of them link, the library of vcg_ext,
+# is built first.
 # A second run finds everything in place and ends in seconds.
 
 . "$(dirname "$0")/lib/common.sh"
@@ -44,6 +45,10 @@ provide_host() {
 		install_packages "${run_packages[@]}"
 		provide_environment "$root/.venv" "$root/python/requirements-dev.txt"
 		;;
+	demo)
+		install_packages "${run_packages[@]}"
+		provide_environment "$root/.venv" "$root/python/requirements-demo.txt"
+		;;
 	meshlab-2025.07) ;;
 	wheel)
 		install_packages "${run_packages[@]}"
@@ -70,4 +75,4 @@ targets=("$@")
 if ((${#targets[@]} == 0)); then targets=("${all_targets[@]}"); fi
 provide_library
 for target in "${targets[@]}"; do provide_host "$target"; done
-for target in library "${targets[@]}"; do alone "$build_root/.$target.lock" build "$target"; done
+for target in library "${targets[@]/#demo/pymeshlab-2025.7}"; do alone "$build_root/.$target.lock" build "$target"; done

@@ -13,14 +13,18 @@ find_python() {
 	return 1
 }
 
-# make_environment FOLDER REQUIREMENTS
+# make_environment FOLDER
 make_environment() {
-	local folder=$1 requirements=$2 python
+	local folder=$1 python
 	python=$(find_python) || { install_packages python3.11-venv && python=$(find_python); } ||
 		fail "no Python 3.11 with the venv module was found"
 	say "making $(basename "$folder")"
 	"$python" -m venv --clear "$folder"
-	"$folder/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements"
+}
+
+# install_requirements FOLDER REQUIREMENTS: what is imported is compiled then, which is little of all there is
+install_requirements() {
+	"$1/bin/python" -m pip install --quiet --disable-pip-version-check --no-compile -r "$2"
 }
 
 # install_package FOLDER: our own package, such that an edit of it shows at once. Without pip's build isolation, which would
@@ -29,9 +33,11 @@ install_package() {
 	"$1/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e "$root/python"
 }
 
-# provide_environment FOLDER REQUIREMENTS
+# provide_environment FOLDER REQUIREMENTS: what other requirements have put there stays, until any of them change
 provide_environment() {
-	local folder=$1 requirements=$2
-	once "$folder/.requirements" "$(checksum "$requirements") $root" make_environment "$folder" "$requirements"
+	local folder=$1 requirements=$2 key
+	key="$(checksum "$root"/python/requirements-*.txt) $root"
+	once "$folder/.environment" "$key" make_environment "$folder"
+	once "$folder/.$(basename "$requirements")" "$key" install_requirements "$folder" "$requirements"
 	once "$folder/.package" "$(checksum "$root/python/pyproject.toml") $root" install_package "$folder"
 }
