@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # setup.sh [TARGET...]: installs what is missing and builds the targets, all of them when none is named.
 # A target is a host, whose plugin becomes build/HOST/libfilter_developable.so, or `tests`, the C++ unit tests.
-# Two other targets are demo, which is pymeshlab-2025.7 with a Python environment that has no more than the demo needs, and
-# wheel, the plugin for python/hatch_build.py, which names its host's library. What all of them link, the library of vcg_ext,
-# is built first.
+# Two other targets are demo, which is pymeshlab-2025.7 without what only tests need of .venv, and wheel, the plugin for
+# python/hatch_build.py, which names its host's library. What all of them link, the library of vcg_ext, is built first.
 # A second run finds everything in place and ends in seconds.
 
 . "$(dirname "$0")/lib/common.sh"
