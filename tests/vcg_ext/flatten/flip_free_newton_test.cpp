@@ -60,5 +60,19 @@ TEST(FlipFreeNewton, TheCircleStartFlipsNothingAndLeadsToTheSameMinimum) {
 	EXPECT_NEAR(springs.energy(x), springs.energy(other), 1e-8 * springs.energy(x));
 }
 
+TEST(FlipFreeNewton, EndsWhereAPanelFoldsAndMoreStepsWouldGainLittle) {
+	TriangleMesh mesh = sphere(1, 4);
+	mesh.triangles = mesh.triangles.rightCols(mesh.triangleCount() - 16).eval();
+	const detail::PanelMesh panel = onlyPanel(assembled(makeMesh(mesh.positions, mesh.triangles)));
+	detail::PlanePositions x = detail::conformalStart(panel);
+	detail::PlaneSprings springs(panel);
+	const detail::FlatMinimum minimum = detail::FlipFreeNewton(springs, x).minimize(400, {});
+	EXPECT_LT(minimum.iterations, 200);
+	EXPECT_EQ(detail::countFlipped(panel.triangles, x), 0);
+	const double energy = springs.energy(x);
+	detail::FlipFreeNewton(springs, x).minimize(100, {});
+	EXPECT_GT(springs.energy(x), 0.9 * energy);
+}
+
 } // namespace
 } // namespace developable::test

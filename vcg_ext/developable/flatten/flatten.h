@@ -17,8 +17,10 @@
 namespace developable {
 
 struct FlattenOptions {
-	double gap = -1;      ///< between the pieces' boxes, length; −1: 2 % of the diagonal of the largest
-	int iterations = 400; ///< at most, for each piece; it takes 4 to 10 unless a panel folds
+	double gap = -1; ///< between the pieces' boxes, length; −1: 2 % of the diagonal of the largest
+	/// At most, for each piece. It takes 4 to 10 unless a panel folds, and ends then when more would gain
+	/// little.
+	int iterations = 400;
 	/// What the material bears from the pattern to the model. Where that is nothing at all, edges keep their
 	/// lengths as nearly as they can, whatever strain that leaves.
 	StrainBounds bounds = {};

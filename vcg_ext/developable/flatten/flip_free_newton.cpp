@@ -9,10 +9,13 @@
 namespace developable::detail {
 
 FlatMinimum FlipFreeNewton::minimize(int iterations, const Progress& progress) {
+	constexpr int review = 20; // steps after which it is seen whether they were worth it
+	constexpr double worthWide = 0.05, worthNarrow = 0.01; // share of the energy
 	FlatMinimum result;
 	// A wide barrier first: it sees flips coming, so that steps can be long.
 	setBarrier(1);
 	result.converged = energy_ <= isometricEnergy_;
+	double energyBefore = energy_;
 	while (!result.converged && result.iterations < iterations) {
 		if (!mayGoOn(progress, double(result.iterations) / iterations, "Flattening")) {
 			result.stopped = true;
@@ -26,6 +29,15 @@ FlatMinimum FlipFreeNewton::minimize(int iterations, const Progress& progress) {
 			result.converged = decrease <= 1e-10 * energy_;
 		else if (decrease <= 1e-4 * energy_)
 			setBarrier(PlaneSprings::leastGuardedShare);
+		if (result.iterations % review > 0)
+			continue;
+		const bool wide = springs_.guardedShare() == 1;
+		if (energy_ > (1 - (wide ? worthWide : worthNarrow)) * energyBefore) {
+			if (!wide)
+				break; // a panel that folds: more steps would make no difference to anyone
+			setBarrier(PlaneSprings::leastGuardedShare);
+		}
+		energyBefore = energy_;
 	}
 	return result;
 }

@@ -2,8 +2,6 @@
 // plane_springs.cpp: sums over the springs and over the triangles that the barrier guards.
 #include "plane_springs.h"
 
-#include "developable/linear/linear.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,20 +117,9 @@ void PlaneSprings::addHessian(const PlanePositions& x, bool convex, PlaneHessian
 
 void PlaneSprings::addGuard(int t, const Barrier& guard, const AreaGradient& area, bool convex,
 							PlaneHessian& hessian) const {
-	using Block = Eigen::Matrix<double, 6, 6>;
-	Block second = Block::Zero(); // of the doubled area
-	for (int corner = 0; corner < 3; ++corner) {
-		const int a = 2 * corner, b = 2 * nextCorner(corner);
-		second(a, b + 1) = second(b + 1, a) = 1;
-		second(a + 1, b) = second(b, a + 1) = -1;
-	}
-	Block block =
-		stiffness * (guard.curvature / restAreas_[t] * area * area.transpose() + guard.slope * second);
-	if (convex) {
-		const SymmetricEigen eigen = symmetricEigen(block);
-		const Block vectors = eigen.vectors;
-		block = vectors * eigen.values.cwiseMax(0).asDiagonal() * vectors.transpose();
-	}
+	const double slope = stiffness * guard.slope, curvature = stiffness * guard.curvature / restAreas_[t];
+	const AreaHessian block =
+		convex ? convexAreaHessian(area, slope, curvature) : areaHessian(area, slope, curvature);
 	for (int row = 0; row < 3; ++row)
 		for (int column = 0; column < 3; ++column) {
 			const int i = triangles_(row, t), j = triangles_(column, t);

@@ -3,6 +3,7 @@
 // its derivatives, and what keeps triangles from flipping.
 #pragma once
 
+#include "area_hessian.h"
 #include "panel_mesh.h"
 #include "plane_hessian.h"
 
@@ -54,8 +55,6 @@ public:
 	double longestStep(const PlanePositions& x, const PlanePositions& direction) const;
 
 private:
-	using AreaGradient = Eigen::Matrix<double, 6, 1>;
-
 	struct Barrier {
 		double value, slope, curvature;
 	};
