@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/flatten/area_hessian.h"
 
-#include "developable/linear/symmetric_eigen.h"
+#include "developable/linear/linear.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -18,6 +18,7 @@
 #include "joined_faces.h"
 #include "length_unit.h"
 #include "options.h"
+#include "pace_of_looks.h"
 #include "parallel_tasks.h"
 #include "partial_assembly.h"
 #include "patch_assembly.h"

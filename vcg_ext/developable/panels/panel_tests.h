@@ -5,7 +5,7 @@
 #include "cut_surface.h"
 #include "panel_verdicts.h"
 
-#include "developable/mesh/task_ahead.h"
+#include "developable/mesh/mesh.h"
 
 #include <algorithm>
 #include <atomic>

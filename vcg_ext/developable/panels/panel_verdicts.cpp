@@ -2,8 +2,6 @@
 // panel_verdicts.cpp: who finds a verdict, and who waits for it.
 #include "panel_verdicts.h"
 
-#include "developable/mesh/pace_of_looks.h"
-
 #include <utility>
 
 namespace developable::detail {
