@@ -16,28 +16,30 @@ FlatMinimum FlipFreeNewton::minimize(int iterations, const Progress& progress) {
 	setBarrier(1);
 	result.converged = energy_ <= isometricEnergy_;
 	double energyBefore = energy_;
-	while (!result.converged && result.iterations < iterations) {
+	for (int steps = 1; !result.converged && result.iterations < iterations; ++steps) {
 		if (!mayGoOn(progress, double(result.iterations) / iterations, "Flattening")) {
 			result.stopped = true;
 			return result;
 		}
 		const double decrease = step();
 		++result.iterations;
-		if (energy_ <= isometricEnergy_)
-			result.converged = true;
-		else if (springs_.guardedShare() < 1)
-			result.converged = decrease <= 1e-10 * energy_;
-		else if (decrease <= 1e-4 * energy_)
-			setBarrier(PlaneSprings::leastGuardedShare);
-		if (result.iterations % review > 0)
-			continue;
 		const bool wide = springs_.guardedShare() == 1;
-		if (energy_ > (1 - (wide ? worthWide : worthNarrow)) * energyBefore) {
-			if (!wide)
-				break; // a panel that folds: more steps would make no difference to anyone
+		const bool crawls =
+			steps == review && energy_ > (1 - (wide ? worthWide : worthNarrow)) * energyBefore;
+		if (energy_ <= isometricEnergy_) {
+			result.converged = true;
+		} else if (wide && (crawls || decrease <= 1e-4 * energy_)) {
 			setBarrier(PlaneSprings::leastGuardedShare);
+			steps = review; // seen anew with this barrier
+		} else if (!wide) {
+			result.converged = decrease <= 1e-10 * energy_;
+			if (crawls)
+				break; // a panel that folds: more steps would make no difference to anyone
 		}
-		energyBefore = energy_;
+		if (steps == review) {
+			energyBefore = energy_;
+			steps = 0;
+		}
 	}
 	return result;
 }
