@@ -7,8 +7,6 @@ from typing import Any
 
 import numpy as np
 import pymeshlab
-import scipy.sparse
-import scipy.sparse.csgraph
 
 from meshlab_developable.mesh_sets import Array, IndexArray
 
@@ -63,6 +61,8 @@ def _neighbours(faces: IndexArray) -> tuple[IndexArray, IndexArray]:
 
 def _components(faces: IndexArray, vertices: int) -> tuple[int, IndexArray]:
     """How many connected components there are, and the one of each face."""
+    import scipy.sparse.csgraph  # takes as long as all that a command without results needs
+
     starts, ends = faces[:, [0, 1]].T.ravel(), faces[:, [1, 2]].T.ravel()
     graph = scipy.sparse.coo_array((np.ones(len(starts)), (starts, ends)), shape=(vertices, vertices))
     count, of_vertices = scipy.sparse.csgraph.connected_components(graph, directed=False)

@@ -8,6 +8,9 @@ build_root=$root/build
 # shellcheck disable=SC2034
 cache_root=${XDG_CACHE_HOME:-$HOME/.cache}/developable # as in cmake/MeshLabHost.cmake
 
+# Hundreds of processes import the same modules, which pip has not compiled: the first keeps what it compiles for the others.
+unset PYTHONDONTWRITEBYTECODE
+
 say() { printf -- '-- %s\n' "$*"; }
 
 fail() {

@@ -52,6 +52,20 @@ def test_every_command_has_help_with_examples(name):
     assert f"developable {name} " in result.output.split("Examples:")[1]
 
 
+@pytest.mark.parametrize(
+    "command", [["--help"], ["pattern", "--help"], ["measure", str(SHOE)]], ids=lambda words: words[0]
+)
+def test_what_draws_patterns_is_imported_when_patterns_are_drawn(command):
+    code = (
+        "import sys\n"
+        "from meshlab_developable.command_line import main\n"
+        f"main({command!r}, standalone_mode=False)\n"
+        "print([name for name in ('ezdxf', 'reportlab', 'scipy', 'shapely') if name in sys.modules])\n"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout.splitlines()[-1] == "[]"
+
+
 @pytest.mark.parametrize("name", ["global", "local", "cut", "flatten", "pattern", "report", "batch"])
 def test_what_is_written_goes_where_output_says(name):
     assert "-o, --output" in developable(name, "--help").output
