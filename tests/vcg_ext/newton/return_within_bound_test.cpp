@@ -33,7 +33,7 @@ struct FarAway {
 
 TEST(ReturnWithinBound, ReachesADevelopableShapeThatIsNearer) {
 	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, steepBump));
-	for (const double share : {0.95, 0.85}) {
+	for (const double share : {0.95, 0.85, 0.7}) {
 		FarAway far(assembly, share);
 		ASSERT_TRUE(far.run.shape().reached);
 		detail::ReturnWithinBound way(far.problem, far.run, far.steps, far.bound);
@@ -52,6 +52,8 @@ TEST(ReturnWithinBound, SaysHowNearItCameWhereTheBoundIsOutOfReach) {
 	detail::ReturnWithinBound way(far.problem, far.run, far.steps, far.bound);
 	EXPECT_EQ(way.run(), detail::Ending::Stuck);
 	EXPECT_LT(way.found().farthest, before);
+	EXPECT_EQ(far.run.shape().positions, way.found().positions);
+	EXPECT_TRUE(far.run.shape().reached);
 	EXPECT_GT(way.found().farthest, far.bound);
 }
 

@@ -58,24 +58,6 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 	return restoreMoreFreely(problem, run, steps, continuation.epsilon());
 }
 
-/// A developable shape with a place that moves a little farther than it had better: there may be one near it
-/// that does without. \return Reached, with the shape as it was where that leads nowhere; Stopped
-Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
-	const Shape found = run.shape();
-	const double preferred = problem.preferredMove();
-	const Ending pulledBack = pullBackWithinPreferred(problem, run);
-	if (pulledBack != Ending::Stuck)
-		return pulledBack;
-	if (found.farthest > problem.tuning().preferredReach * preferred)
-		return Ending::Reached;
-	const Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
-	if (ending == Ending::Stopped)
-		return ending;
-	if (ending != Ending::Reached || !problem.hardlyFarther(run.shape(), found))
-		run.goBackTo(found);
-	return Ending::Reached;
-}
-
 /// A developable shape that is farther away than places may go is none that was looked for, but there may be
 /// one near it that is.
 /// \param nearest  becomes how far the nearest developable shape moves a place, where that is too far
@@ -84,7 +66,9 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 	if (!run.farOff())
 		return ending == Ending::Reached ? withinPreferred(problem, run, steps) : ending;
 	ReturnWithinBound way(problem, run, steps, problem.goal().farthest);
-	const Ending ofReturn = way.run();
+	Ending ofReturn = way.run();
+	if (ofReturn != Ending::Reached && ofReturn != Ending::Stopped)
+		ofReturn = pullBackWithin(problem, run, problem.goal().farthest);
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
 		return ofReturn;
 	nearest = way.found().farthest;
@@ -126,6 +110,8 @@ AttemptResult restoreFrom(NewtonProblem& problem, const Positions& start, double
 	if (!steps.unsolvable()) {
 		const double epsilon = Continuation(problem, run, steps).leastEpsilon();
 		ending = Restoration(problem, run, steps, epsilon).restore();
+		if (ending == Ending::Reached)
+			ending = withinPreferred(problem, run, steps);
 	}
 	AttemptResult result;
 	result.ending = ending;

@@ -9,6 +9,8 @@
 #include "normal_steps.h"
 #include "pull_back.h"
 #include "refinement.h"
+#include "restoration.h"
+#include "return_within_bound.h"
 #include "shortest_steps.h"
 
 #include <chrono>
@@ -63,6 +65,37 @@ std::string announce(const PatchAssembly& assembly, double seconds) {
 	if (seconds < 100)
 		return size + ", about " + std::to_string(std::lround(seconds)) + " s: ";
 	return size + ", about " + std::to_string(std::lround(seconds / 60)) + " min: ";
+}
+
+/// From a start within the preferred bound, as a coarser level found it: steps along the normals that keep it
+/// leave little curvature, which a restoration removes. \return Reached; Stopped; else the run is where it
+/// began
+Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
+	if (run.shape().farthest > problem.preferredMove())
+		return Ending::Stuck;
+	Ending ending = NormalSteps(problem, run, problem.preferredMove()).run();
+	const bool near = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
+	if (ending == Ending::Stuck && near && problem.assembly().placeCount() <= problem.tuning().returnPlaces) {
+		problem.forgetNormalSystem();
+		GaussNewton steps(problem, run, true, problem.goal().farthest);
+		const double epsilon = problem.tuning().returnRestoration * steps.greatestResponse();
+		ending =
+			steps.unsolvable() ? Ending::Unsolvable : Restoration(problem, run, steps, epsilon).restore();
+		if (ending == Ending::Reached)
+			ending = withinPreferred(problem, run, steps);
+	}
+	if (ending != Ending::Reached && ending != Ending::Stopped)
+		run.restart();
+	return ending;
+}
+
+/// The same from a developable shape.
+Ending returnWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
+	if (run.shape().farthest <= problem.preferredMove())
+		return Ending::Reached;
+	problem.forgetNormalSystem();
+	GaussNewton steps(problem, run, true, problem.goal().farthest);
+	return steps.unsolvable() ? Ending::Reached : withinPreferred(problem, run, steps);
 }
 
 } // namespace
@@ -239,9 +272,12 @@ NewtonOutcome NewtonStrategy::refine(const Level& level, NewtonProblem& problem,
 	const Positions moved = level.reference().originalPositions + displacement - assembly.originalPositions;
 	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
 	const bool solved = coarse.ending == Ending::Reached;
-	Ending ending = stepsWithin(problem, run, problem.goal().farthest, solved ? 2 : 1);
-	if (ending == Ending::Reached && pullBackWithinPreferred(problem, run) == Ending::Stopped)
-		ending = Ending::Stopped;
+	Ending ending = solved ? refineWithinPreferred(problem, run) : Ending::Stuck;
+	if (ending != Ending::Reached && ending != Ending::Stopped) {
+		ending = stepsWithin(problem, run, problem.goal().farthest, solved ? 2 : 1);
+		if (ending == Ending::Reached)
+			ending = returnWithinPreferred(problem, run);
+	}
 	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.nearestDevelopable,
 						  coarse.bordersLimited};
 	if (ending != Ending::Stuck || !solved)

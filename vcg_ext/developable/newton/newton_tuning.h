@@ -101,18 +101,21 @@ struct NewtonTuning {
 	double sliverMargin = 1.01; ///< for what rounding to the host's scalar may take away
 
 	// Back to within the bound on displacements.
-	int returnRounds = 8;
-	double returnStep = 0.3;       ///< share of the distance by which a round aims nearer
-	double returnLeastStep = 0.05; ///< half after a round that led nowhere, until it is less than this
-	double returnEpsilon = 1e-3;   ///< of the restoration, share of the greatest response
-	double returnAim = 0.95;       ///< share of the bound: aimed at last; places beyond it are at the bound
-	double returnWeight = 100;     ///< of a place at the nearer bound, beside its mass
-	double returnHeaviest = 1.2;   ///< share of that bound beyond which places become no heavier
-	double heavyPlace = 1000;      ///< of its mass, at the bound on a finer level
-	double returnReach = 3;        ///< of the bound: shapes farther away are given up
+	int returnRounds = 12;
+	int returnSteps = 2;             ///< in a round, towards the original
+	double returnCurvature = 0.03;   ///< of the original, a share that is as dear to it as the displacement
+	double returnDecrease = 0.1;     ///< of ε after a round that led no nearer
+	double returnRestoration = 1e-6; ///< share of the greatest response: ε where a round's restoration begins
+	double returnGain = 0.01;        ///< share of the distance: less is next to nothing
+	int returnPatience = 3;          ///< rounds in a row that gain next to nothing
+	double returnAim = 0.9;          ///< share of the bound: aimed at; places beyond it are at the bound
+	double returnWeight = 200;       ///< of the place that was farthest so far, beside its mass
+	double heavyPlace = 1000;        ///< of its mass, at the bound on a finer level
+	double returnReach = 3;          ///< of the bound: shapes farther away are given up
 	double preferredMove = 0.02;  ///< share of the diagonal: less far is a bound that is kept if that is easy
+	int returnPlaces = 6000;      ///< more: the way to within the preferred move is left to a coarser level
 	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
-	double preferredReach = 1.3;  ///< of it: shapes farther away are taken as they are
+	double preferredReach = 3;    ///< of it: shapes farther away are taken as they are
 	double pullBackReach = 1.6;   ///< of a bound: from farther away places are not pulled back
 	double pullBackShare = 0.7;   ///< of the displacement, at the second try
 	int pullBackRounds = 4;       ///< a try, each with more heavy places

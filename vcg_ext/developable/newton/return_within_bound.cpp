@@ -1,69 +1,122 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// return_within_bound.cpp: nearer bounds, heavy places and restorations, round by round.
+// return_within_bound.cpp: heavier places, steps towards the original and restorations, round by round.
 #include "return_within_bound.h"
 
+#include "pull_back.h"
 #include "restoration.h"
 
 namespace developable::detail {
 
 ReturnWithinBound::ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound)
 	: problem_(problem), run_(run), steps_(steps), bound_(bound), masses_(problem.metric().placeMass()),
-	  found_(run.shape()) {}
+	  weights_(Eigen::ArrayXd::Ones(masses_.size())), found_(run.shape()) {}
 
 Ending ReturnWithinBound::run() {
-	const NewtonTuning& tuning = problem_.tuning();
-	if (found_.farthest > tuning.returnReach * bound_)
+	if (found_.farthest > problem_.tuning().returnReach * bound_)
 		return Ending::Stuck;
 	steps_.beginToStiffen();
-	double share = tuning.returnStep;
-	for (int left = tuning.returnRounds; left > 0 && share >= tuning.returnLeastStep; --left) {
-		steps_.loosen();
+	const Ending ending = goNearer();
+	run_.goBackTo(found_);
+	return ending;
+}
+
+Ending ReturnWithinBound::goNearer() {
+	const NewtonTuning& tuning = problem_.tuning();
+	double epsilon = dearCurvature();
+	for (int rounds = 0, idle = 0; rounds < tuning.returnRounds && idle < tuning.returnPatience; ++rounds) {
 		const double before = found_.farthest;
-		const Ending ending = round(std::max(tuning.returnAim * bound_, (1 - share) * before));
+		const Ending ending = round(epsilon);
 		if (ending != Ending::Reached && ending != Ending::Stuck)
 			return ending;
 		const double now = run_.shape().farthest;
-		if (ending == Ending::Stuck || now >= before) {
-			share /= 2;
-			continue;
-		}
-		found_ = run_.shape();
-		if (now <= bound_)
+		const bool nearer = ending == Ending::Reached && now < before;
+		idle = nearer && now < (1 - tuning.returnGain) * before ? 0 : idle + 1;
+		if (nearer)
+			found_ = run_.shape();
+		else
+			epsilon *= tuning.returnDecrease;
+		if (found_.farthest <= bound_)
 			return Ending::Reached;
-		// At this pace the bound is out of reach.
-		if (std::log(bound_ / now) < left * std::log(now / before))
-			return Ending::Stuck;
 	}
 	return Ending::Stuck;
 }
 
-Ending ReturnWithinBound::round(double aim) {
-	makeFarPlacesHeavy(aim);
+/// With this ε, to bring back a share of the original's curvature is as dear as the whole displacement.
+double ReturnWithinBound::dearCurvature() const {
+	const Shape original = problem_.shapeAt(problem_.assembly().originalPositions);
+	const double share = problem_.tuning().returnCurvature;
+	return share * share * original.scaledDefects.squaredNorm() / steps_.squaredDistance(found_);
+}
+
+Ending ReturnWithinBound::round(double epsilon) {
+	run_.goBackTo(found_);
+	steps_.loosen();
+	makeFarPlacesHeavier();
 	if (!problem_.metric().factorize())
 		return Ending::Unsolvable;
-	if (!pullBackTo(aim))
-		return Ending::Stuck;
-	const double epsilon = problem_.tuning().returnEpsilon * steps_.greatestResponse();
-	return Restoration(problem_, run_, steps_, epsilon).restore();
+	const Ending ending = approachOriginal(epsilon);
+	if (ending != Ending::Settled)
+		return ending;
+	pullBackTo(problem_.tuning().returnAim * bound_);
+	const double first = problem_.tuning().returnRestoration * steps_.greatestResponse();
+	return Restoration(problem_, run_, steps_, first).restore();
+}
+
+Ending ReturnWithinBound::approachOriginal(double epsilon) {
+	double length = 1;
+	for (int i = 0; i < problem_.tuning().returnSteps && length > 0; ++i) {
+		if (!run_.takeStep())
+			return Ending::OutOfSteps;
+		steps_.forgetMultipliers();
+		length = steps_.step(1, epsilon);
+		if (steps_.stopped())
+			return Ending::Stopped;
+		if (steps_.unsolvable())
+			return Ending::Unsolvable;
+	}
+	return Ending::Settled;
 }
 
 bool ReturnWithinBound::pullBackTo(double bound) {
-	Positions move = Positions::Zero(3, masses_.size());
-	pullBack(problem_.assembly().originalPositions, found_.positions, move, bound);
-	const bool sound = problem_.soundness().spare(found_.positions, move);
+	const Positions from = run_.shape().positions;
+	Positions move = Positions::Zero(3, from.cols());
+	pullBack(problem_.assembly().originalPositions, from, move, bound);
+	const bool sound = problem_.soundness().spare(from, move);
 	if (sound)
-		run_.goBackTo(problem_.shapeAt(found_.positions + move));
+		run_.goBackTo(problem_.shapeAt(from + move));
 	return sound;
 }
 
-void ReturnWithinBound::makeFarPlacesHeavy(double aim) {
-	const NewtonTuning& tuning = problem_.tuning();
+void ReturnWithinBound::makeFarPlacesHeavier() {
+	constexpr double least = 1e-3; // of the largest: so that none is without weight for ever
 	const Positions displacement = found_.positions - problem_.assembly().originalPositions;
-	const Eigen::ArrayXd shares = displacement.colwise().norm().transpose().array() / aim;
-	const Eigen::VectorXd masses = problem_.metric().placeMass().array() *
-								   (1 + tuning.returnWeight * shares.min(tuning.returnHeaviest).pow(16));
+	weights_ *= least + displacement.colwise().norm().transpose().array() / found_.farthest;
+	weights_ /= weights_.maxCoeff();
+	const Eigen::VectorXd masses =
+		problem_.metric().placeMass().array() * (1 + problem_.tuning().returnWeight * weights_);
 	problem_.weigh(masses - masses_);
 	masses_ = masses;
+}
+
+Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
+	const Shape found = run.shape();
+	const double preferred = problem.preferredMove();
+	const Ending pulledBack = pullBackWithinPreferred(problem, run);
+	if (pulledBack != Ending::Stuck)
+		return pulledBack;
+	if (found.farthest > problem.tuning().preferredReach * preferred ||
+		problem.assembly().placeCount() > problem.tuning().returnPlaces)
+		return Ending::Reached;
+	Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
+	if (ending == Ending::Stopped)
+		return ending;
+	if (ending != Ending::Reached)
+		ending = pullBackWithin(problem, run, preferred);
+	if (ending == Ending::Stopped)
+		return ending;
+	if (!problem.hardlyFarther(run.shape(), found))
+		run.goBackTo(found);
+	return Ending::Reached;
 }
 
 } // namespace developable::detail

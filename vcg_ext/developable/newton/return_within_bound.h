@@ -7,39 +7,49 @@
 
 namespace developable::detail {
 
-/// Walks on from a developable shape with a place farther away than it may be. In each round places beyond a
-/// nearer bound are pulled back to it and made heavy in the metric, the more so the farther they are, and a
-/// restoration takes the shortest steps to where all is developable again: a little farther away than that
-/// bound, but nearer than before. A continuation from so far away would first go back to the original, where
-/// heavy places leave no way.
+/// Walks on from a developable shape with a place farther away than it may be, to ones whose farthest place
+/// is nearer: Lawson's algorithm (1961) for the least of the largest, among developable shapes. In each round
+/// every place has become heavier in the metric by its share of the largest displacement; two steps lead
+/// towards the original as far as the curvature that they bring is not too dear, places still beyond the
+/// bound are pulled back to it, and a restoration takes the shortest steps to where all is developable again.
+/// Where that is no nearer, curvature is dearer in the next round.
 class ReturnWithinBound {
 public:
 	/// \param bound  on displacements, length
 	ReturnWithinBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound);
 
-	/// \return Reached, with a shape within the bound; Stuck, with the run at any shape; OutOfSteps; Stopped;
-	///         Unsolvable
+	/// Ends with the run at the nearest of the developable shapes on the way.
+	/// \return Reached, where that is within the bound; Stuck; OutOfSteps; Stopped; Unsolvable
 	Ending run();
 
 	/// The nearest of the developable shapes on the way, the first included.
 	const Shape& found() const { return found_; }
 
-	/// Takes the run to that shape with its places pulled back to a bound. \return whether that is sound;
-	/// else the run stays where it is
+	/// Takes the run to its shape with places pulled back to a bound. \return whether that is sound; else the
+	/// run stays where it is
 	bool pullBackTo(double bound);
 
 private:
+	Ending goNearer();
+	double dearCurvature() const;
 	/// From the nearest shape so far.
-	/// \param aim  the nearer bound, length
-	Ending round(double aim);
-	void makeFarPlacesHeavy(double aim);
+	/// \param epsilon  ε: the less, the dearer is curvature
+	Ending round(double epsilon);
+	/// \return Settled, with the run nearer to the original
+	Ending approachOriginal(double epsilon);
+	void makeFarPlacesHeavier();
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	GaussNewton& steps_;
 	const double bound_;
 	Eigen::VectorXd masses_; ///< of the places, as they have become
+	Eigen::ArrayXd weights_; ///< what they have become heavier by, 1 at most
 	Shape found_;
 };
+
+/// From a developable shape with a place that moves farther than it had better: there may be one near it that
+/// does without. \return Reached, with the shape as it was where that leads nowhere; Stopped
+Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
 
 } // namespace developable::detail

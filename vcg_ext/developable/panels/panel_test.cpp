@@ -36,7 +36,8 @@ ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
 	options.tuning.preferredMove = 0;
-	options.tuning.returnReach = 1.5; // farther shapes have hardly ever one within the limit near them
+	options.tuning.returnReach = 1.5;
+	options.tuning.returnPatience = 1;
 	return options;
 }
 
