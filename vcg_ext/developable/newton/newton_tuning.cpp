@@ -74,8 +74,8 @@ std::vector<TuningConstant> constantsOfSteps() {
 	};
 }
 
-/// Of what holds for all steps, and of the strategy.
-std::vector<TuningConstant> constantsOfStrategy() {
+/// Of what holds for all steps.
+std::vector<TuningConstant> constantsOfAllSteps() {
 	return {
 		{"halvings", &NewtonTuning::halvings},
 		{"sparingRounds", &NewtonTuning::sparingRounds},
@@ -97,6 +97,12 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"sliverMargin", &NewtonTuning::sliverMargin},
 		{"symmetryBreaking", &NewtonTuning::symmetryBreaking},
 		{"symmetryWaves", &NewtonTuning::symmetryWaves},
+	};
+}
+
+/// Of the bounds on displacements.
+std::vector<TuningConstant> constantsOfBounds() {
+	return {
 		{"returnRounds", &NewtonTuning::returnRounds},
 		{"returnSteps", &NewtonTuning::returnSteps},
 		{"returnCurvature", &NewtonTuning::returnCurvature},
@@ -120,6 +126,12 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"pullBackSteps", &NewtonTuning::pullBackSteps},
 		{"leastSquares", &NewtonTuning::leastSquares},
 		{"leastSquaresSteps", &NewtonTuning::leastSquaresSteps},
+	};
+}
+
+/// Of the strategy.
+std::vector<TuningConstant> constantsOfStrategy() {
+	return {
 		{"workPerPlace", &NewtonTuning::workPerPlace},
 		{"workOnSmall", &NewtonTuning::workOnSmall},
 		{"reserveOfCareful", &NewtonTuning::reserveOfCareful},
@@ -148,7 +160,9 @@ std::vector<TuningConstant> joined(std::vector<TuningConstant> constants,
 } // namespace
 
 const std::vector<TuningConstant>& tuningConstants() {
-	static const std::vector<TuningConstant> constants = joined(constantsOfSteps(), constantsOfStrategy());
+	static const std::vector<TuningConstant> constants =
+		joined(joined(constantsOfSteps(), constantsOfAllSteps()),
+			   joined(constantsOfBounds(), constantsOfStrategy()));
 	return constants;
 }
 
