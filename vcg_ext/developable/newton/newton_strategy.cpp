@@ -89,13 +89,16 @@ Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 	return ending;
 }
 
-/// The same from a developable shape.
+/// The same from a developable shape; the systems of rounds are factorised only where there will be any.
 Ending returnWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
-	if (run.shape().farthest <= problem.preferredMove())
+	const Ending pulledBack = pullBackWithinPreferred(problem, run);
+	if (pulledBack != Ending::Stuck)
+		return pulledBack;
+	if (!mayReturnToPreferred(problem, run.shape()))
 		return Ending::Reached;
 	problem.forgetNormalSystem();
 	GaussNewton steps(problem, run, true, problem.goal().farthest);
-	return steps.unsolvable() ? Ending::Reached : withinPreferred(problem, run, steps);
+	return steps.unsolvable() ? Ending::Reached : returnToPreferred(problem, run, steps);
 }
 
 } // namespace

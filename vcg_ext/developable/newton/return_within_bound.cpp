@@ -98,15 +98,14 @@ void ReturnWithinBound::makeFarPlacesHeavier() {
 	masses_ = masses;
 }
 
-Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
+bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape) {
+	return shape.farthest <= problem.tuning().preferredReach * problem.preferredMove() &&
+		   problem.assembly().placeCount() <= problem.tuning().returnPlaces;
+}
+
+Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 	const Shape found = run.shape();
 	const double preferred = problem.preferredMove();
-	const Ending pulledBack = pullBackWithinPreferred(problem, run);
-	if (pulledBack != Ending::Stuck)
-		return pulledBack;
-	if (found.farthest > problem.tuning().preferredReach * preferred ||
-		problem.assembly().placeCount() > problem.tuning().returnPlaces)
-		return Ending::Reached;
 	Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
 	if (ending == Ending::Stopped)
 		return ending;
@@ -117,6 +116,14 @@ Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& step
 	if (!problem.hardlyFarther(run.shape(), found))
 		run.goBackTo(found);
 	return Ending::Reached;
+}
+
+Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
+	const Ending pulledBack = pullBackWithinPreferred(problem, run);
+	if (pulledBack != Ending::Stuck)
+		return pulledBack;
+	return mayReturnToPreferred(problem, run.shape()) ? returnToPreferred(problem, run, steps)
+													  : Ending::Reached;
 }
 
 } // namespace developable::detail

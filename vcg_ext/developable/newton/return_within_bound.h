@@ -48,8 +48,14 @@ private:
 	Shape found_;
 };
 
-/// From a developable shape with a place that moves farther than it had better: there may be one near it that
-/// does without. \return Reached, with the shape as it was where that leads nowhere; Stopped
+/// Whether a developable shape with a place that moves farther than it had better is near enough, and the
+/// part small enough, for rounds on the way back.
+bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape);
+
+/// Those rounds. \return Reached, with the shape as it was where that leads nowhere; Stopped
+Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
+
+/// Pulls such a shape back; where that leads nowhere, goes rounds if it may. \return the same
 Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
 
 } // namespace developable::detail

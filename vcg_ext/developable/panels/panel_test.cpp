@@ -36,7 +36,8 @@ ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
 	options.tuning.preferredMove = 0;
-	options.tuning.returnReach = 1.5;
+	options.tuning.returnReach =
+		1.5; // some from farther away come back, at three times the time of all tests
 	options.tuning.returnPatience = 1;
 	return options;
 }
