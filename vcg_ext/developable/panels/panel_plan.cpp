@@ -54,6 +54,10 @@ PanelPlan::PanelPlan(const GivenPatches& given, std::vector<double> limits, cons
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
 	--sewingsLeft_;
+	return sewnNow(brief);
+}
+
+SewnPanels PanelPlan::sewnNow(bool brief) {
 	sewnWork_ += planned_.mesh.triangleCount();
 	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, limits_,
 							 options_.material, preferredMove_, brief, progressOfRest());
@@ -81,7 +85,8 @@ SewnPanels PanelPlan::joinedWithDarts() {
 SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 12;
 	reliefsLeft_ = mostReliefs;
-	SewnPanels sewn = relieved(sewTogether(false));
+	closingsLeft_ = mostClosings;
+	SewnPanels sewn = relieved(sewTogether(false), true);
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
 		for (const int panel : worstFirst(sewn))
@@ -90,7 +95,7 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 		if (!any)
 			break;
 		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
-		sewn = relieved(sewTogether(false));
+		sewn = relieved(sewTogether(false), true);
 	}
 	return sewn;
 }
@@ -127,6 +132,7 @@ void PanelPlan::joinUntilAllHold() {
 bool PanelPlan::sewUntilAllHold(int rounds) {
 	constexpr double tighter = 0.95; // with every round: panels with more room hold sooner
 	reliefsLeft_ = mostReliefs;
+	closingsLeft_ = mostClosings;
 	std::vector<char> mayJoin(clusters_.size(), 0);
 	for (int round = 1; !tests_->stopped(); ++round) {
 		tests_->scaleLimits(std::pow(tighter, round - 1));
@@ -181,11 +187,31 @@ std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPan
 	return mayJoin;
 }
 
-/// With darts where that makes all hold.
-SewnPanels PanelPlan::relieved(SewnPanels sewn) {
+ClosingSteps PanelPlan::closingSteps() {
+	return {[this] {
+				--closingsLeft_;
+				return sewnNow(true);
+			},
+			[this] { return !tests_->stopped() && closingsLeft_ > 0; }};
+}
+
+/// With overlaps closed, and darts, where that makes all hold.
+SewnPanels PanelPlan::relieved(SewnPanels sewn, bool darts) {
+	if (mirror_ != nullptr || worstOf(sewn) < 0)
+		return sewn;
+	const CutSurface start = planned_.surface;
+	SewnPanels now = closeOverlaps(planned_.surface, keptTriangles(planned_, options_), sewn, closingSteps());
+	if (worstOf(now) >= 0 && darts)
+		now = withDarts(std::move(now));
+	if (worstOf(now) < 0)
+		return now;
+	planned_.surface = start;
+	return sewn;
+}
+
+SewnPanels PanelPlan::withDarts(SewnPanels sewn) {
 	constexpr std::size_t mostFailing = 3; // else panels are too large, and not just a little
-	if (mirror_ != nullptr || !options_.darts || !options_.splitTriangles ||
-		worstFirst(sewn).size() > mostFailing)
+	if (!options_.darts || !options_.splitTriangles || worstFirst(sewn).size() > mostFailing)
 		return sewn;
 	return SewnRelief(planned_, options_, *tests_, dartTips_, reliefsLeft_,
 					  [this] { return sewTogether(true); })
@@ -194,7 +220,8 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn) {
 
 SewnPanels PanelPlan::smoothSeams() {
 	const SewingSteps steps{[this] { return sewTogether(true); },
-							[this](SewnPanels sewn) { return relieved(std::move(sewn)); },
+							[this](SewnPanels sewn) { return relieved(std::move(sewn), false); },
+							[this](SewnPanels sewn) { return relieved(std::move(sewn), true); },
 							[this] { return !tests_->stopped() && sewingsLeft_ > 0; }};
 	SeamSmoothing drawings(planned_, clusters_, dartTips_, options_, mirror_, steps);
 	SewnPanels sewn = drawings.run();

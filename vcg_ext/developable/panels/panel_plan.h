@@ -4,9 +4,9 @@
 
 #include "cut_into_panels.h"
 #include "mirror_plane.h"
+#include "overlap_closing.h"
 #include "panel_joining.h"
 #include "planned_surface.h"
-#include "sewn_panels.h"
 
 #include <memory>
 #include <optional>
@@ -67,9 +67,12 @@ private:
 	SewnPanels divideUntilAllHold();
 
 	SewnPanels sewTogether(bool brief);
+	SewnPanels sewnNow(bool brief);
+	ClosingSteps closingSteps();
 	SewnExcess sewnExcess();
 	SewnPanels smoothSeams();
-	SewnPanels relieved(SewnPanels sewn);
+	SewnPanels relieved(SewnPanels sewn, bool darts);
+	SewnPanels withDarts(SewnPanels sewn);
 	Progress progressOfRest();
 
 	const CutOptions options_;
@@ -81,9 +84,10 @@ private:
 	std::optional<PlannedSurface> lessSmooth_;
 	std::unique_ptr<PanelTests> tests_;
 	std::vector<int> clusters_; // per triangle, before any were joined
-	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help.
-	static constexpr int mostReliefs = 12;
-	int reliefsLeft_ = mostReliefs;
+	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help, or
+	/// closing overlaps.
+	static constexpr int mostReliefs = 12, mostClosings = 16;
+	int reliefsLeft_ = mostReliefs, closingsLeft_ = mostClosings;
 	double sewnWork_ = 0; // triangles
 	const MirrorPlane* mirror_ = nullptr;
 	int sewingsLeft_ = 30; // until what does not hold is just divided

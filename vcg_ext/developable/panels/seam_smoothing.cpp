@@ -42,7 +42,7 @@ bool SeamSmoothing::tryDrawing(SeamDrawing& drawing, int rounds, SewnPanels& sew
 			planned_ = std::move(before);
 			return false;
 		}
-		SewnPanels smoother = steps_.sew();
+		SewnPanels smoother = steps_.close(steps_.sew());
 		if (holds(smoother)) {
 			sewn = std::move(smoother);
 			return true;

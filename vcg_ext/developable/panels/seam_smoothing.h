@@ -13,7 +13,8 @@ namespace developable::detail {
 /// What is done with a surface as it is.
 struct SewingSteps {
 	std::function<SewnPanels()> sew;
-	std::function<SewnPanels(SewnPanels)> relieve; ///< with darts where that makes all hold
+	std::function<SewnPanels(SewnPanels)> close;   ///< overlaps, where that makes all hold
+	std::function<SewnPanels(SewnPanels)> relieve; ///< alike, and with darts where that makes all hold
 	std::function<bool()> mayGoOn;
 };
 

@@ -2,6 +2,8 @@
 // sewn_panels.cpp: one run of the method that Global Developability will use, read panel by panel.
 #include "sewn_panels.h"
 
+#include "border_parts.h"
+
 #include "developable/flatten/flatten.h"
 #include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
@@ -82,6 +84,9 @@ void measurePanels(const PatchAssembly& assembly, const Positions& positions, co
 		}
 }
 
+/// What goes farther along a panel's border is no matter of a dart or a notch.
+constexpr double largestNotch = 0.2;
+
 /// Panels that overlap themselves when laid flat are none, however developable.
 void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
 					const std::vector<int>& panelOfPatch, SewnPanels& result) {
@@ -100,6 +105,11 @@ void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
 			continue;
 		panel.worstPoint = pointAt(piece.crossing[0]);
 		result.overlaps[panelOfPatch[patch]] = {panel.worstPoint, pointAt(piece.crossing[1])};
+		const BorderPart part = shorterBorderPart(patterns, piece.crossing);
+		for (const int h : part.halfEdges)
+			if (part.share <= largestNotch)
+				result.notches[panelOfPatch[patch]].push_back(3 * assembly.faceOfTriangle[triangleOf(h)] +
+															  cornerInTriangle(h));
 	}
 }
 

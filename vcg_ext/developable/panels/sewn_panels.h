@@ -15,6 +15,9 @@ struct SewnPanels {
 	std::vector<CutPanel> panels; ///< by the surface's numbers of panels; empty ones have no triangles
 	/// Of those that overlap themselves when laid flat two points that lie upon each other then.
 	std::map<int, std::array<Eigen::Vector3d, 2>> overlaps;
+	/// Of these that overlap where the two are near each other along the panel's border: the half edges of
+	/// the surface from one to the other.
+	std::map<int, std::vector<int>> notches;
 	double meanDisplacement = 0;
 	double maxDisplacement = 0;
 };

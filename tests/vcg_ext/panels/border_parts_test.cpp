@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shorter way round a piece that is laid flat.
+#include "developable/panels/border_parts.h"
+
+#include "panel_shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+using detail::BorderPart;
+using detail::shorterBorderPart;
+
+/// The half edge of the border whose middle is there.
+int borderAt(const PatchAssembly& assembly, double x, double y) {
+	const Eigen::Vector3d at(x, y, 0);
+	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
+		const Eigen::Vector3d middle = (assembly.originalPositions.col(assembly.placeAt(h)) +
+										assembly.originalPositions.col(assembly.placeAt(nextCorner(h)))) /
+									   2;
+		if (assembly.across(h) < 0 && (middle - at).norm() < 1e-9)
+			return h;
+	}
+	return -1;
+}
+
+TEST(BorderParts, goTheShorterWay) {
+	const PatchAssembly assembly =
+		assembled(grid(9, 9, [](double u, double v) { return Eigen::Vector3d(u, v, 0); }));
+	const FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions);
+	const int low = borderAt(assembly, 0.0625, 0), left = borderAt(assembly, 0, 0.1875);
+	ASSERT_GE(std::min(low, left), 0);
+	for (const auto& ends : {std::array<int, 2>{low, left}, std::array<int, 2>{left, low}}) {
+		const BorderPart part = shorterBorderPart(patterns, ends);
+		EXPECT_EQ(part.halfEdges.size(), 3U); // round the corner
+		EXPECT_NEAR(part.share, 3.0 / 32, 1e-6);
+		EXPECT_EQ(std::min(part.halfEdges.front(), part.halfEdges.back()), std::min(low, left));
+		EXPECT_EQ(std::max(part.halfEdges.front(), part.halfEdges.back()), std::max(low, left));
+	}
+}
+
+TEST(BorderParts, areOfOneBorder) {
+	TriangleMesh mesh = grid(9, 9, [](double u, double v) { return Eigen::Vector3d(u, v, 0); });
+	std::vector<int> kept;
+	for (int t = 0; t < mesh.triangleCount(); ++t) {
+		const Eigen::Vector3d at = mesh.positions(Eigen::all, mesh.triangles.col(t)).rowwise().mean();
+		if ((at - Eigen::Vector3d(0.5, 0.5, 0)).cwiseAbs().maxCoeff() > 0.25)
+			kept.push_back(t);
+	}
+	mesh.triangles = Eigen::Matrix3Xi(mesh.triangles(Eigen::all, kept));
+	mesh.face.resize(kept.size());
+	mesh.triangleSelected.assign(kept.size(), 0);
+	const PatchAssembly ring = assembled(mesh);
+	const FlatPatterns patterns = flattenPatches(ring, ring.originalPositions);
+	const int outer = borderAt(ring, 0.0625, 0), inner = borderAt(ring, 0.25, 0.4375);
+	ASSERT_GE(std::min(outer, inner), 0);
+	EXPECT_TRUE(shorterBorderPart(patterns, {outer, inner}).halfEdges.empty());
+}
+
+} // namespace
+} // namespace developable::test

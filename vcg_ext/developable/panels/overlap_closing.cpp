@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// overlap_closing.cpp: cuts are closed, triangles change sides.
+#include "overlap_closing.h"
+
+#include "seam_chains.h"
+#include "small_panels.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace developable::detail {
+
+namespace {
+
+/// Of the darts that have some of a notch's edges the one that is shortest from its tip to the farthest of
+/// them, as half edges from there; or none.
+std::vector<int> dartToClose(const CutSurface& surface, const std::vector<int>& notch) {
+	const auto isWanted = [&](int h) {
+		return std::any_of(notch.begin(), notch.end(),
+						   [&](int other) { return other == h || other == surface.assembly().across(h); });
+	};
+	std::vector<int> best;
+	double least = std::numeric_limits<double>::infinity();
+	for (const SeamChain& chain : seamChains(surface)) {
+		std::vector<int> fromTip = chain.halfEdges;
+		if (!chain.isDart())
+			continue;
+		if (!chain.freeEnd[0])
+			std::reverse(fromTip.begin(), fromTip.end());
+		while (!fromTip.empty() && !isWanted(fromTip.back()))
+			fromTip.pop_back();
+		double length = 0;
+		for (const int h : fromTip)
+			length += surface.length(h);
+		if (!fromTip.empty() && length < least) {
+			least = length;
+			best = std::move(fromTip);
+		}
+	}
+	return best;
+}
+
+/// \return whether the slits beside some triangles of their own panel can run at their other sides
+bool moveSlits(CutSurface& surface, int panel, const std::set<int>& triangles) {
+	for (const int t : triangles)
+		for (int h = 3 * t; h < 3 * t + 3; ++h) {
+			const int across = surface.assembly().across(h);
+			if (across < 0 || surface.panelOf(triangleOf(across)) != panel)
+				return false;
+			surface.setCut(h, !surface.isCut(h));
+		}
+	return true;
+}
+
+/// \param triangle  of the panel that takes some
+/// \param taken     triangles of one neighbour
+/// \return          whether that leaves two panels
+bool takeFromNeighbour(CutSurface& surface, int triangle, const std::set<int>& taken) {
+	const int panel = surface.panelOf(triangle);
+	std::set<int> own(surface.trianglesOf(panel).begin(), surface.trianglesOf(panel).end());
+	own.insert(taken.begin(), taken.end());
+	const int both = surface.join(halfEdgesBetween(surface, panel, surface.panelOf(*taken.begin())));
+	const std::vector<int> all = surface.trianglesOf(both);
+	std::vector<int> labels;
+	labels.reserve(all.size());
+	for (const int t : all)
+		labels.push_back(own.count(t) > 0);
+	surface.divide(both, labels);
+	std::set<int> panels;
+	for (const int t : all)
+		panels.insert(surface.panelOf(t));
+	return panels.size() == 2;
+}
+
+/// The triangles at the other side of some half edges change to this one.
+bool fillNotch(CutSurface& surface, int panel, const std::vector<int>& notch, const std::vector<char>& held) {
+	std::set<int> slits;
+	std::map<int, std::set<int>> ofNeighbours; // by panel
+	for (const int h : notch) {
+		const int across = surface.assembly().across(h);
+		if (across < 0 || (!held.empty() && held[triangleOf(across)]))
+			return false;
+		const int other = surface.panelOf(triangleOf(across));
+		(other == panel ? slits : ofNeighbours[other]).insert(triangleOf(across));
+	}
+	const int triangle = surface.trianglesOf(panel).front();
+	if (!moveSlits(surface, panel, slits))
+		return false;
+	return std::all_of(ofNeighbours.begin(), ofNeighbours.end(), [&](const auto& neighbour) {
+		return takeFromNeighbour(surface, triangle, neighbour.second);
+	});
+}
+
+/// 1 of a disk, 0 of a ring; 2 of what is none at all
+int eulerCharacteristic(const CutSurface& surface, int panel) {
+	const PatchAssembly assembly = assemblePatches(surface.meshOf(surface.trianglesOf(panel)), {});
+	return assembly.patchCount() == 1 ? assembly.patches[0].eulerCharacteristic() : 2;
+}
+
+/// Whether panels are disks, or what they were.
+bool isAsWhole(const CutSurface& after, const CutSurface& before) {
+	for (int panel = 0; panel < after.panelCount(); ++panel) {
+		if (after.trianglesOf(panel).empty())
+			continue;
+		const int own = before.panelOf(after.trianglesOf(panel).front());
+		const int now = eulerCharacteristic(after, panel);
+		if (now != 1 && now != eulerCharacteristic(before, own))
+			return false;
+	}
+	return after.usedPanelCount() == before.usedPanelCount();
+}
+
+} // namespace
+
+bool closeNotch(CutSurface& surface, int panel, const std::vector<int>& notch,
+				const std::vector<char>& held) {
+	CutSurface closed = surface;
+	const std::vector<int> dart = dartToClose(surface, notch);
+	for (const int h : dart)
+		closed.setCut(h, false);
+	if (!dart.empty() && isAsWhole(closed, surface)) {
+		surface = std::move(closed);
+		return true;
+	}
+	const std::vector<int> inner(notch.begin() + 1, notch.end() - 1);
+	for (const std::vector<int>& part : {notch, inner}) {
+		closed = surface;
+		if (!part.empty() && fillNotch(closed, panel, part, held) && isAsWhole(closed, surface)) {
+			surface = std::move(closed);
+			return true;
+		}
+	}
+	return false;
+}
+
+SewnPanels closeOverlaps(CutSurface& surface, const std::vector<char>& held, SewnPanels sewn,
+						 const ClosingSteps& steps) {
+	constexpr int rounds = 6;
+	for (int round = 0; round < rounds && worstOf(sewn) >= 0 && steps.mayGoOn(); ++round) {
+		if (sewn.notches.size() < worstFirst(sewn).size())
+			break;
+		CutSurface closed = surface;
+		const bool all = std::all_of(sewn.notches.begin(), sewn.notches.end(), [&](const auto& notch) {
+			// where the neighbour was closed, too, its number may have changed
+			return closeNotch(closed, closed.panelOf(triangleOf(notch.second.front())), notch.second, held);
+		});
+		if (!all)
+			break;
+		surface = std::move(closed);
+		sewn = steps.sew();
+	}
+	return sewn;
+}
+
+} // namespace developable::detail
