@@ -18,17 +18,16 @@ std::shared_ptr<WorkBudget> budgetOf(const PatchAssembly& part, const NewtonTuni
 	return std::make_shared<WorkBudget>(share * work);
 }
 
-/// Panels that are sewn together pull each other. Where their developable shape is beyond the preferred move,
-/// but not far, what fewer places find first may be nearer, as more rounds lead them back.
-/// \return that if it is; else the same; Stopped
+/// Where a developable shape is beyond the preferred move, but not far: what fewer places find first may be
+/// nearer, as more rounds lead them back. \return that if it is; else the same; Stopped
 NewtonOutcome nearer(const PatchAssembly& part, const Positions& start, const NewtonStrategy& strategy,
 					 NewtonOutcome found, const Progress& progress) {
 	NewtonTuning tuning = strategy.tuning();
 	const double preferred = tuning.preferredMove * boxDiagonal(part.originalPositions);
 	const double farthest = farthestMove(part, found.positions);
-	const bool wanted =
-		part.patchCount() > 1 && farthest > preferred && farthest <= tuning.preferredReach * preferred &&
-		part.placeCount() > tuning.preferredCoarsest && part.placeCount() <= tuning.returnPlaces;
+	const bool wanted = farthest > preferred && farthest <= tuning.preferredReach * preferred &&
+						part.placeCount() > tuning.preferredCoarsest &&
+						part.placeCount() <= tuning.returnPlaces;
 	if (found.ending != Ending::Reached || !wanted)
 		return found;
 	tuning.coarsest = tuning.preferredCoarsest;
