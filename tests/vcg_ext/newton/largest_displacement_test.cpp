@@ -194,36 +194,6 @@ TEST(LargestDisplacement, IsPulledBackOnTheFinestLevelToo) {
 	EXPECT_GE(lowered, 3);
 }
 
-/// What fewer places find first may be nearer; a shape that is not is not taken.
-TEST(LargestDisplacement, IsLookedForASecondTimeFromFewerPlaces) {
-	struct Case {
-		Surface surface;
-		double preferred; // share of how far it goes without
-		int places;
-	};
-	int nearer = 0, same = 0;
-	for (const Case& one : {Case{wave, 0.6, 150}, {vamp, 0.75, 80}, {vamp, 0.75, 250}}) {
-		const PatchAssembly assembly = assembled(jitteredGrid(26, 26, one.surface));
-		ConstrainedNewtonOptions options;
-		options.tuning.preferredMove = 0;
-		Positions free = assembly.originalPositions, once = free, twice = free;
-		ASSERT_EQ(constrainedNewton(assembly, free, options).status, Status::Converged);
-		const double diagonal = boxDiagonal(assembly.originalPositions);
-		options.tuning.preferredMove = one.preferred * farthest(assembly, free) / diagonal;
-		options.tuning.preferredCoarsest = assembly.placeCount(); // never
-		EXPECT_EQ(constrainedNewton(assembly, once, options).status, Status::Converged);
-		options.tuning.preferredCoarsest = one.places;
-		EXPECT_EQ(constrainedNewton(assembly, twice, options).status, Status::Converged);
-		expectSound(assembly, twice);
-		EXPECT_LE(farthest(assembly, twice), farthest(assembly, once));
-		EXPECT_LE(meanDisplacement(assembly, twice),
-				  options.tuning.preferredRise * meanDisplacement(assembly, once));
-		++(twice == once ? same : nearer);
-	}
-	EXPECT_GE(nearer, 1);
-	EXPECT_GE(same, 1);
-}
-
 TEST(LargestDisplacement, IsToldFromTheWayWhereOnlyThatIsAsked) {
 	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, steepBump));
 	ConstrainedNewtonOptions options;

@@ -2,7 +2,6 @@
 // newton_part.cpp: all patches of a part, then those that are left without the worst.
 #include "newton_part.h"
 
-#include "displacement_metric.h"
 #include "frozen_panels.h"
 
 namespace developable::detail {
@@ -12,46 +11,14 @@ namespace {
 /// Of the work, as far as one can tell: what all patches together take before some are frozen.
 constexpr double shareOfAllTogether = 0.7;
 
-/// \param share  of what a part of that size may take
-std::shared_ptr<WorkBudget> budgetOf(const PatchAssembly& part, const NewtonTuning& tuning, double share) {
-	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
-	return std::make_shared<WorkBudget>(share * work);
-}
-
-/// Where a developable shape is beyond the preferred move, but not far: what fewer places find first may be
-/// nearer, as more rounds lead them back. \return that if it is; else the same; Stopped
-NewtonOutcome nearer(const PatchAssembly& part, const Positions& start, const NewtonStrategy& strategy,
-					 NewtonOutcome found, const Progress& progress) {
-	NewtonTuning tuning = strategy.tuning();
-	const double preferred = tuning.preferredMove * boxDiagonal(part.originalPositions);
-	const double farthest = farthestMove(part, found.positions);
-	const bool wanted = farthest > preferred && farthest <= tuning.preferredReach * preferred &&
-						part.placeCount() > tuning.preferredCoarsest &&
-						part.placeCount() <= tuning.returnPlaces;
-	if (found.ending != Ending::Reached || !wanted)
-		return found;
-	tuning.coarsest = tuning.preferredCoarsest;
-	NewtonStrategy coarser = strategy.with(tuning);
-	coarser.setBudget(budgetOf(part, tuning, tuning.workTogether));
-	NewtonOutcome next = coarser.solve(part, start, progress);
-	const auto mean = [&](const NewtonOutcome& outcome) {
-		return displacementMap(part.originalPositions, outcome.positions).mean();
-	};
-	const bool better = next.ending == Ending::Reached && farthestMove(part, next.positions) < farthest &&
-						mean(next) <= tuning.preferredRise * mean(found);
-	next.iterations += found.iterations;
-	found.iterations = next.iterations;
-	return better || next.ending == Ending::Stopped ? next : found;
-}
-
 NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStrategy& strategy,
 					const Progress& progress) {
 	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
 	const double share = mayFreeze ? shareOfAllTogether : 1;
 	const NewtonTuning& tuning = strategy.tuning();
-	strategy.setBudget(budgetOf(part, tuning, mayFreeze ? tuning.workTogether : 1));
+	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
+	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work));
 	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, share));
-	outcome = nearer(part, start, strategy, std::move(outcome), partOf(progress, share, share));
 	if (outcome.ending == Ending::Stopped)
 		return outcome;
 	if (outcome.ending == Ending::OutOfSteps && strategy.budget().spent())
@@ -60,7 +27,7 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 		outcome.positions = start;
 	if (outcome.ending != Ending::Stuck || !mayFreeze)
 		return outcome;
-	strategy.setBudget(budgetOf(part, tuning, 1 - tuning.workTogether));
+	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work));
 	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
 	return FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(outcome);
 }

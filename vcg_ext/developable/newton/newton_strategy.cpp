@@ -108,12 +108,6 @@ NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const Curvatu
 	: smoothness_(smoothness), shapeSmoothness_(shapeSmoothness(fairness)), goal_(goal),
 	  maxIterations_(maxIterations), memoryLimit_(memoryLimit), tuning_(tuning) {}
 
-NewtonStrategy NewtonStrategy::with(const NewtonTuning& tuning) const {
-	NewtonStrategy result = *this;
-	result.tuning_ = tuning;
-	return result;
-}
-
 /// With less room to move, for what the finest level adds.
 /// \param fairerElsewhere  on a finer level than its own
 NewtonStrategy NewtonStrategy::coarser(bool fairerElsewhere) const {

@@ -23,8 +23,6 @@ public:
 
 	const CurvatureGoal& goal() const { return goal_; }
 	const NewtonTuning& tuning() const { return tuning_; }
-	/// The same with other constants.
-	NewtonStrategy with(const NewtonTuning& tuning) const;
 
 	const WorkBudget& budget() const { return *budget_; }
 	/// What all work from now on is taken from; at first without limit.

@@ -120,8 +120,6 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"returnPlaces", &NewtonTuning::returnPlaces},
 		{"preferredPrice", &NewtonTuning::preferredPrice},
 		{"preferredReach", &NewtonTuning::preferredReach},
-		{"preferredCoarsest", &NewtonTuning::preferredCoarsest},
-		{"preferredRise", &NewtonTuning::preferredRise},
 		{"pullBackReach", &NewtonTuning::pullBackReach},
 		{"pullBackShare", &NewtonTuning::pullBackShare},
 		{"pullBackRounds", &NewtonTuning::pullBackRounds},

@@ -116,12 +116,10 @@ struct NewtonTuning {
 	int returnPlaces = 6000;      ///< more: the way to within the preferred move is left to a coarser level
 	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
 	double preferredReach = 3;    ///< of it: shapes farther away are taken as they are
-	int preferredCoarsest = 700; ///< places of the coarsest level of a second run that looks for a nearer one
-	double preferredRise = 1.25; ///< share of the first's mean displacement that the second's may be
-	double pullBackReach = 1.6;  ///< of a bound: from farther away places are not pulled back
-	double pullBackShare = 0.7;  ///< of the displacement, at the second try
-	int pullBackRounds = 4;      ///< a try, each with more heavy places
-	int pullBackSteps = 200;     ///< a try
+	double pullBackReach = 1.6;   ///< of a bound: from farther away places are not pulled back
+	double pullBackShare = 0.7;   ///< of the displacement, at the second try
+	int pullBackRounds = 4;       ///< a try, each with more heavy places
+	int pullBackSteps = 200;      ///< a try
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
 	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
 
