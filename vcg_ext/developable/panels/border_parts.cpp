@@ -8,19 +8,21 @@ namespace developable::detail {
 
 namespace {
 
-/// Half edges round a piece, in order.
+/// Half edges round a piece, in order; none where its border touches itself at a vertex, which has two ways
+/// on.
 std::vector<int> borderFrom(const FlatPatterns& patterns, int first) {
 	std::vector<int> leaving(patterns.vertexCount(), -1);
 	for (int h = 0; h < static_cast<int>(patterns.joinedHalfEdge.size()); ++h)
 		if (patterns.joinedHalfEdge[h] < 0)
 			leaving[patterns.vertexAt(h)] = h;
-	std::vector<int> border = {first};
-	while (true) {
-		const int h = leaving[patterns.vertexAt(nextCorner(border.back()))];
+	std::vector<int> border;
+	for (int h = first; border.size() < patterns.joinedHalfEdge.size();) {
+		border.push_back(h);
+		h = leaving[patterns.vertexAt(nextCorner(h))];
 		if (h == first)
 			return border;
-		border.push_back(h);
 	}
+	return {};
 }
 
 double lengthOf(const FlatPatterns& patterns, const std::vector<int>& halfEdges) {

@@ -15,7 +15,7 @@ struct BorderPart {
 };
 
 /// From one half edge of a piece's border to another the way that is shorter, with both; none where they are
-/// of two borders.
+/// of two borders, or the border touches itself.
 BorderPart shorterBorderPart(const FlatPatterns& patterns, const std::array<int, 2>& ends);
 
 } // namespace developable::detail
