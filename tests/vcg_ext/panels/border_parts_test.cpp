@@ -58,5 +58,17 @@ TEST(BorderParts, areOfOneBorder) {
 	EXPECT_TRUE(shorterBorderPart(patterns, {outer, inner}).halfEdges.empty());
 }
 
+/// Two triangles with a vertex in common: round it there are two ways on, and one never leads back.
+TEST(BorderParts, areOfBordersThatDoNotTouchThemselves) {
+	FlatPatterns patterns;
+	patterns.positions.resize(2, 5);
+	patterns.positions << 0, 1, 1, -1, -1, 0, 0, 1, 0, 1;
+	patterns.triangles.resize(3, 2);
+	patterns.triangles << 0, 0, 1, 4, 2, 3;
+	patterns.joinedHalfEdge.assign(6, -1);
+	EXPECT_TRUE(shorterBorderPart(patterns, {0, 2}).halfEdges.empty());
+	EXPECT_FALSE(shorterBorderPart(patterns, {3, 5}).halfEdges.empty());
+}
+
 } // namespace
 } // namespace developable::test
