@@ -61,17 +61,8 @@ bool takeFromNeighbour(CutSurface& surface, int triangle, const std::set<int>& t
 	const int panel = surface.panelOf(triangle);
 	std::set<int> own(surface.trianglesOf(panel).begin(), surface.trianglesOf(panel).end());
 	own.insert(taken.begin(), taken.end());
-	const int both = surface.join(halfEdgesBetween(surface, panel, surface.panelOf(*taken.begin())));
-	const std::vector<int> all = surface.trianglesOf(both);
-	std::vector<int> labels;
-	labels.reserve(all.size());
-	for (const int t : all)
-		labels.push_back(own.count(t) > 0);
-	surface.divide(both, labels);
-	std::set<int> panels;
-	for (const int t : all)
-		panels.insert(surface.panelOf(t));
-	return panels.size() == 2;
+	const std::vector<int> seam = halfEdgesBetween(surface, panel, surface.panelOf(*taken.begin()));
+	return divideAnew(surface, seam, own).size() == 2;
 }
 
 /// The triangles at the other side of some half edges change to this one.

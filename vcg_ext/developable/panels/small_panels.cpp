@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <queue>
-#include <set>
 
 namespace developable::detail {
 
@@ -58,15 +57,7 @@ bool growInto(CutSurface& surface, PanelTests& tests, int panel, int neighbour,
 		return false;
 	own.insert(surface.trianglesOf(panel).begin(), surface.trianglesOf(panel).end());
 	CutSurface next = surface;
-	const int both = next.join(seam);
-	std::vector<int> labels;
-	labels.reserve(next.trianglesOf(both).size());
-	for (const int t : next.trianglesOf(both))
-		labels.push_back(own.count(t) > 0);
-	next.divide(both, labels);
-	std::set<int> panels;
-	for (const int t : surface.trianglesAtBothSides(seam.front()))
-		panels.insert(next.panelOf(t));
+	const std::set<int> panels = divideAnew(next, seam, own);
 	if (panels.size() != 2)
 		return false;
 	std::vector<PanelTrial> trials;
@@ -104,6 +95,20 @@ std::vector<int> halfEdgesBetween(const CutSurface& surface, int panel, int othe
 				surface.panelOf(triangleOf(surface.assembly().across(h))) == other)
 				halfEdges.push_back(h);
 	return halfEdges;
+}
+
+std::set<int> divideAnew(CutSurface& surface, const std::vector<int>& seam, const std::set<int>& own) {
+	const int both = surface.join(seam);
+	const std::vector<int> triangles = surface.trianglesOf(both);
+	std::vector<int> labels;
+	labels.reserve(triangles.size());
+	for (const int t : triangles)
+		labels.push_back(own.count(t) > 0);
+	surface.divide(both, labels);
+	std::set<int> panels;
+	for (const int t : triangles)
+		panels.insert(surface.panelOf(t));
+	return panels;
 }
 
 std::vector<int> smallPanels(const CutSurface& surface) {

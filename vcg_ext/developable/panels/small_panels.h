@@ -4,6 +4,8 @@
 
 #include "panel_tests.h"
 
+#include <set>
+
 namespace developable::detail {
 
 /// The share of its patch's area that a panel has at least, unless the patch is one panel.
@@ -17,6 +19,11 @@ std::vector<int> neighboursOf(const CutSurface& surface, int panel);
 
 /// Half edges of one panel beside another.
 std::vector<int> halfEdgesBetween(const CutSurface& surface, int panel, int other);
+
+/// Divides two panels anew: one keeps the triangles given, the other has the rest.
+/// \param seam  all half edges between them
+/// \return      what they are then: two, unless one fell apart or is gone
+std::set<int> divideAnew(CutSurface& surface, const std::vector<int>& seam, const std::set<int>& own);
 
 /// Small panels take triangles from a neighbour, the nearest first, until they are large enough, where both
 /// are panels then.
