@@ -72,7 +72,7 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 	if (ofReturn == Ending::Reached || ofReturn == Ending::Stopped)
 		return ofReturn;
 	nearest = way.found().farthest;
-	way.pullBackTo(problem.goal().farthest); // the best start of steps to the least squares of g
+	goBackWithin(problem, run, problem.goal().farthest); // the best start of steps to the least squares of g
 	return Ending::Stuck;
 }
 

@@ -9,7 +9,7 @@
 #include "normal_steps.h"
 #include "pull_back.h"
 #include "refinement.h"
-#include "restoration.h"
+#include "restoration_within_bound.h"
 #include "return_within_bound.h"
 #include "shortest_steps.h"
 
@@ -78,9 +78,8 @@ Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 	if (ending == Ending::Stuck && near && problem.assembly().placeCount() <= problem.tuning().returnPlaces) {
 		problem.forgetNormalSystem();
 		GaussNewton steps(problem, run, true, problem.goal().farthest);
-		const double epsilon = problem.tuning().returnRestoration * steps.greatestResponse();
-		ending =
-			steps.unsolvable() ? Ending::Unsolvable : Restoration(problem, run, steps, epsilon).restore();
+		ending = steps.unsolvable() ? Ending::Unsolvable
+									: restoreWithin(problem, run, steps, problem.preferredMove());
 		if (ending == Ending::Reached)
 			ending = withinPreferred(problem, run, steps);
 	}

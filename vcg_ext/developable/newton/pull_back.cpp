@@ -22,6 +22,16 @@ bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape, double bound
 
 } // namespace
 
+bool goBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
+	const Positions from = run.shape().positions;
+	Positions move = Positions::Zero(3, from.cols());
+	pullBack(problem.assembly().originalPositions, from, move, bound);
+	const bool sound = problem.soundness().spare(from, move);
+	if (sound)
+		run.goBackTo(problem.shapeAt(from + move));
+	return sound;
+}
+
 Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rounds) {
 	for (int round = 1;; ++round) {
 		const Ending ending = NormalSteps(problem, run, bound).run();

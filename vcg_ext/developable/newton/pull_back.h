@@ -6,6 +6,10 @@
 
 namespace developable::detail {
 
+/// Takes a run to its shape with places pulled back to a bound. \return whether that is sound; else the run
+/// stays where it is
+bool goBackWithin(NewtonProblem& problem, NewtonRun& run, double bound);
+
 /// Steps along the normals that keep a bound on displacements. Where they are stuck, places at the bound
 /// become heavy, and stay so, and the run begins again: it goes so many rounds at most.
 /// \param bound  from the original, length

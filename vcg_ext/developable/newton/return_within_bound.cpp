@@ -57,7 +57,7 @@ Ending ReturnWithinBound::round(double epsilon) {
 	const Ending ending = approachOriginal(epsilon);
 	if (ending != Ending::Settled)
 		return ending;
-	pullBackTo(problem_.tuning().returnAim * bound_);
+	goBackWithin(problem_, run_, problem_.tuning().returnAim * bound_);
 	const double first = problem_.tuning().returnRestoration * steps_.greatestResponse();
 	return Restoration(problem_, run_, steps_, first).restore();
 }
@@ -75,16 +75,6 @@ Ending ReturnWithinBound::approachOriginal(double epsilon) {
 			return Ending::Unsolvable;
 	}
 	return Ending::Settled;
-}
-
-bool ReturnWithinBound::pullBackTo(double bound) {
-	const Positions from = run_.shape().positions;
-	Positions move = Positions::Zero(3, from.cols());
-	pullBack(problem_.assembly().originalPositions, from, move, bound);
-	const bool sound = problem_.soundness().spare(from, move);
-	if (sound)
-		run_.goBackTo(problem_.shapeAt(from + move));
-	return sound;
 }
 
 void ReturnWithinBound::makeFarPlacesHeavier() {

@@ -25,10 +25,6 @@ public:
 	/// The nearest of the developable shapes on the way, the first included.
 	const Shape& found() const { return found_; }
 
-	/// Takes the run to its shape with places pulled back to a bound. \return whether that is sound; else the
-	/// run stays where it is
-	bool pullBackTo(double bound);
-
 private:
 	Ending goNearer();
 	double dearCurvature() const;

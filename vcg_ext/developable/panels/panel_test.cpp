@@ -29,16 +29,13 @@ bool isSheet(const PatchAssembly& assembly) {
 ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
 	constexpr double farthestOnWay = 2;
 	ConstrainedNewtonOptions options;
-	options.maxIterations = 60;
+	options.maxIterations = 120;
 	options.maxDisplacement = limits.maxDisplacement;
 	options.tuning.wayMean = meanOnWay * limits.meanDisplacement / limits.maxDisplacement;
 	options.tuning.wayFarthest = farthestOnWay;
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
 	options.tuning.preferredMove = 0;
-	options.tuning.returnReach =
-		1.5; // some from farther away come back, at three times the time of all tests
-	options.tuning.returnPatience = 1;
 	return options;
 }
 
@@ -71,8 +68,8 @@ bool isNear(const PatchAssembly& assembly, const Positions& positions, const Pan
 		   verdict.meanDisplacement <= limits.meanDisplacement;
 }
 
-void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
-					PanelVerdict& verdict) {
+void testOnLevel(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
+				 PanelVerdict& verdict) {
 	Positions positions = assembly.originalPositions;
 	verdict.worstPoint = worstPoint(assembly, positions);
 	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, briefRun(limits), progress);
@@ -85,6 +82,17 @@ void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, co
 		verdict.flat = liesFlat(assembly, positions);
 	const bool reached = converged(report.status) && near; // what goes on to somewhere else ends on the way
 	verdict.obstacle = verdict.flat ? Obstacle::None : reached ? Obstacle::Overlaps : Obstacle::TooFar;
+}
+
+/// How far a shape has to move shows with few places.
+void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
+					PanelVerdict& verdict) {
+	constexpr int enough = 400;
+	constexpr double worthWhile = 1.3; // times as many
+	if (assembly.placeCount() > worthWhile * enough)
+		testOnLevel(coarserLevel(assembly, enough).assembly, limits, progress, verdict);
+	else
+		testOnLevel(assembly, limits, progress, verdict);
 }
 
 void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,

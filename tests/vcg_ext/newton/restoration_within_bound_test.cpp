@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/restoration_within_bound.h"
+
+#include "developable/newton/restoration.h"
+#include "newton_problems.h"
+
+namespace developable::test {
+namespace {
+
+double farthestBeyond(const PatchAssembly& assembly, const Positions& positions, double bound) {
+	return (positions - assembly.originalPositions).colwise().norm().maxCoeff() / bound;
+}
+
+/// From near a developable shape, within a bound that its farthest places touch.
+struct Touching {
+	explicit Touching(const PatchAssembly& given) : assembly(given) {
+		const Positions developable = expectConverges(given, 0.2);
+		start = given.originalPositions + 0.97 * (developable - given.originalPositions);
+		bound = (start - given.originalPositions).colwise().norm().maxCoeff();
+	}
+
+	/// \param restore  of a problem, its run and its steps
+	template <class Restore>
+	Positions restored(const Restore& restore) const {
+		detail::NewtonProblem problem = problemOf(assembly);
+		problem.jacobian().freeBorders(true);
+		const Eigen::VectorXd weight = problem.metric().weight();
+		const Progress silent;
+		detail::NewtonRun run(problem, start, 200, silent);
+		detail::GaussNewton steps(problem, run, true);
+		EXPECT_EQ(restore(problem, run, steps), detail::Ending::Reached);
+		EXPECT_LE((problem.metric().weight() - weight).cwiseAbs().maxCoeff(), 1e-9 * weight.maxCoeff());
+		EXPECT_LE(angleDefects(assembly, run.shape().positions).cwiseAbs().sum(), 1e-4);
+		expectSound(assembly, run.shape().positions);
+		return run.shape().positions;
+	}
+
+	const PatchAssembly& assembly;
+	Positions start;
+	double bound = 0; ///< length
+};
+
+TEST(RestorationWithinBound, KeepsABoundThatOthersCrossOrComesNearer) {
+	for (const Surface& surface : {Surface(steepBump), Surface(wave), Surface(largeSaddle)}) {
+		const PatchAssembly assembly = assembled(jitteredGrid(25, 25, surface));
+		const Touching touching(assembly);
+		const Positions within = touching.restored([&](auto& problem, auto& run, auto& steps) {
+			return detail::restoreWithin(problem, run, steps, touching.bound);
+		});
+		const Positions free = touching.restored([&](auto& problem, auto& run, auto& steps) {
+			const double epsilon = problem.tuning().returnRestoration * steps.greatestResponse();
+			return detail::Restoration(problem, run, steps, epsilon).restore();
+		});
+		ASSERT_GT(farthestBeyond(assembly, free, touching.bound), 1);
+		EXPECT_LT(farthestBeyond(assembly, within, touching.bound) - 1,
+				  0.5 * (farthestBeyond(assembly, free, touching.bound) - 1));
+	}
+}
+
+TEST(RestorationWithinBound, LeadsADevelopableShapeNearerAndNeverFarther) {
+	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, steepBump));
+	Touching far(assembly);
+	far.start = expectConverges(assembly, 0.2);
+	const double farthest = farthestBeyond(assembly, far.start, 1);
+	for (const double share : {0.97, 0.5, 1e-3}) {
+		const Positions nearer = far.restored([&](auto& problem, auto& run, auto& steps) {
+			return detail::restoreWithin(problem, run, steps, share * farthest);
+		});
+		EXPECT_LE(farthestBeyond(assembly, nearer, farthest), 1);
+		if (share > 0.9) {
+			EXPECT_LT(farthestBeyond(assembly, nearer, farthest), 1);
+		}
+	}
+}
+
+} // namespace
+} // namespace developable::test
