@@ -48,6 +48,34 @@ TEST(SewnPanels, overlapsAreWorstAtBothPlaces) {
 	EXPECT_EQ(worstPoints(sewn), std::vector<Eigen::Vector3d>({one, other}));
 }
 
+/// Others may fail for nothing else than the worst.
+TEST(SewnPanels, oneIsDividedAtATimeUnlessEachFailsForItself) {
+	SewnPanels sewn;
+	sewn.panels.resize(4);
+	for (CutPanel& panel : sewn.panels) {
+		panel.triangles = 10;
+		panel.developable = true;
+		panel.maxDisplacement = 9;
+	}
+	EXPECT_TRUE(panelsToDivide(sewn).empty());
+	for (const int panel : {1, 2}) {
+		sewn.panels[panel].developable = false;
+		sewn.panels[panel].reason = Reason::TooFar;
+		sewn.panels[panel].maxDisplacement = panel;
+		sewn.panels[panel].curvatureAfter = 1e-5 / panel; // rounding
+	}
+	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({2}));
+	sewn.panels[1].curvatureAfter = 3; // it did not move at all
+	sewn.panels[1].reason = Reason::NeedsCut;
+	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({1}));
+	sewn.panels[1].curvatureAfter = 0;
+	sewn.panels[2].reason = Reason::NeedsCut; // both overlap themselves
+	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({2, 1}));
+	for (const int panel : {1, 2})
+		sewn.panels[panel].reason = Reason::BeyondBounds;
+	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({2, 1}));
+}
+
 /// Limits by default are of the smallest box, and what is preferred has to be the same however a surface is
 /// turned: panels that hold end within the limit of any.
 TEST(CutIntoPanels, keepsTheDefaultLimitOfTheSmallestBoxWhereverItLies) {

@@ -48,5 +48,47 @@ TEST(SmallPanels, takeNothingThatIsHeld) {
 	EXPECT_EQ(panelsOf(surface), before);
 }
 
+/// A sheet of two strips, and a triangle of the first that is a panel by itself.
+CutSurface sheetWithASliver(const Surface& shape, const Eigen::Vector2d& at) {
+	const TriangleMesh mesh = grid(41, 41, shape);
+	std::vector<int> labels = labelsOf(mesh, [](const Eigen::Vector3d& point) { return point[0] > 0.8; });
+	const auto distance = [&](int t) {
+		return (mesh.positions(Eigen::all, mesh.triangles.col(t)).rowwise().mean().head<2>() - at).norm();
+	};
+	int nearest = 0;
+	for (int t = 0; t < mesh.triangleCount(); ++t)
+		nearest = distance(t) < distance(nearest) ? t : nearest;
+	labels[nearest] = 2;
+	return withPanels(mesh, labels);
+}
+
+TEST(SmallPanels, sliversGoToTheNeighbourRoundThem) {
+	CutSurface surface =
+		sheetWithASliver([](double u, double v) { return Eigen::Vector3d(u, v, 0); }, {0.4, 0.4});
+	ASSERT_EQ(surface.usedPanelCount(), 3);
+	detail::PanelTests tests = testsOf(surface);
+	detail::JoinHistory history;
+	joinSlivers(surface, tests, history);
+	EXPECT_EQ(surface.usedPanelCount(), 2);
+	int first = 0;
+	while (surface.barycentre(first)[0] > 0.8)
+		++first;
+	EXPECT_TRUE(history.takeBack(surface, surface.panelOf(first)));
+	EXPECT_EQ(surface.usedPanelCount(), 3);
+}
+
+/// With the sliver at its apex a cone would be closed.
+TEST(SmallPanels, sliversStayWhereTheyKeepAPanelOpen) {
+	const Surface cone = [](double u, double v) {
+		return Eigen::Vector3d(u, v, -std::hypot(u - 0.5, v - 0.5));
+	};
+	CutSurface surface = sheetWithASliver(cone, {0.51, 0.505});
+	ASSERT_EQ(surface.usedPanelCount(), 3);
+	detail::PanelTests tests = testsOf(surface);
+	detail::JoinHistory history;
+	joinSlivers(surface, tests, history);
+	EXPECT_EQ(surface.usedPanelCount(), 3);
+}
+
 } // namespace
 } // namespace developable::test

@@ -142,6 +142,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 		});
 		if (tests_->stopped() || seamChains(planned_.surface).empty())
 			return true;
+		joinSlivers(planned_.surface, *tests_, history_);
 		const PlannedSurface joined = planned_;
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
 		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
@@ -164,7 +165,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPanels& sewn) {
 	std::vector<int> panels;
 	std::map<int, std::array<Eigen::Vector3d, 2>> overlaps;
-	for (const int panel : worstFirst(sewn)) {
+	for (const int panel : panelsToDivide(sewn)) {
 		const int failing = panelBefore(before, planned_, panel);
 		if (std::find(panels.begin(), panels.end(), failing) == panels.end())
 			panels.push_back(failing);

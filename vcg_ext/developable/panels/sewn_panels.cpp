@@ -186,6 +186,22 @@ std::vector<int> worstFirst(const SewnPanels& sewn) {
 	return panels;
 }
 
+std::vector<int> panelsToDivide(const SewnPanels& sewn) {
+	std::vector<int> failing = worstFirst(sewn);
+	const auto isForItself = [&](int panel) {
+		return overlaps(sewn.panels[panel]) || sewn.panels[panel].reason == Reason::BeyondBounds;
+	};
+	if (std::any_of(failing.begin(), failing.end(), isForItself) || failing.empty())
+		return failing;
+	const double tolerance = ConstrainedNewtonOptions().curvatureTolerance;
+	const auto badness = [&](int panel) {
+		const CutPanel& report = sewn.panels[panel];
+		return std::make_pair(std::max(report.curvatureAfter - tolerance, 0.0), report.maxDisplacement);
+	};
+	return {*std::max_element(failing.begin(), failing.end(),
+							  [&](int a, int b) { return badness(a) < badness(b); })};
+}
+
 int worstOf(const SewnPanels& sewn) {
 	const std::vector<int> panels = worstFirst(sewn);
 	return panels.empty() ? -1 : panels.front();

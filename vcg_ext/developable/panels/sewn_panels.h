@@ -31,6 +31,11 @@ int worstOf(const SewnPanels& sewn);
 /// All panels that do not hold, worst first.
 std::vector<int> worstFirst(const SewnPanels& sewn);
 
+/// Of the panels that do not hold those to be divided. All that overlap themselves or bear too little; else
+/// one, as others may hold without it: that with most curvature left or, where none has any, that moves
+/// farthest.
+std::vector<int> panelsToDivide(const SewnPanels& sewn);
+
 /// Where what does not hold is worst, per panel of those.
 std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn);
 

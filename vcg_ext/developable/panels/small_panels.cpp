@@ -13,7 +13,8 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double grown = 1.3; ///< times the least share: seams that are drawn anew take a little
+constexpr double sliverShare = 0.2; ///< of the least share
+constexpr double grown = 1.3;       ///< times the least share: seams that are drawn anew take a little
 
 double leastAreaOf(const CutSurface& surface, int panel) {
 	const int patch = surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()];
@@ -72,7 +73,43 @@ bool growInto(CutSurface& surface, PanelTests& tests, int panel, int neighbour,
 	return true;
 }
 
+double borderBetween(const CutSurface& surface, int panel, int other) {
+	double length = 0;
+	for (const int h : halfEdgesBetween(surface, panel, other))
+		length += surface.length(h);
+	return length;
+}
+
+/// \return whether it did
+bool joinTo(CutSurface& surface, PanelTests& tests, JoinHistory& history, int panel, int neighbour) {
+	constexpr double room = 1.3; // beside what a panel may need by itself
+	const std::vector<int> seam = halfEdgesBetween(surface, panel, neighbour);
+	const PanelTrial trial = trialAcross(surface, seam);
+	PanelLimits limits = tests.limitsOf(trial.patch);
+	limits.maxDisplacement *= room;
+	limits.meanDisplacement *= room;
+	if (!testPanel(trial.panel, limits).isPanel())
+		return false;
+	history.join(surface, seam);
+	return true;
+}
+
 } // namespace
+
+void joinSlivers(CutSurface& surface, PanelTests& tests, JoinHistory& history) {
+	for (const int panel : smallPanels(surface)) {
+		if (surface.trianglesOf(panel).empty() ||
+			surface.area(panel) > sliverShare * leastAreaOf(surface, panel))
+			continue;
+		std::vector<int> neighbours = neighboursOf(surface, panel);
+		std::stable_sort(neighbours.begin(), neighbours.end(), [&](int a, int b) {
+			return borderBetween(surface, panel, a) > borderBetween(surface, panel, b);
+		});
+		for (const int neighbour : neighbours)
+			if (tests.stopped() || joinTo(surface, tests, history, panel, neighbour))
+				break;
+	}
+}
 
 std::vector<int> neighboursOf(const CutSurface& surface, int panel) {
 	std::set<int> found;

@@ -2,6 +2,7 @@
 // small_panels.h: panels that are too small to be sewn in.
 #pragma once
 
+#include "join_history.h"
 #include "panel_tests.h"
 
 #include <set>
@@ -24,6 +25,10 @@ std::vector<int> halfEdgesBetween(const CutSurface& surface, int panel, int othe
 /// \param seam  all half edges between them
 /// \return      what they are then: two, unless one fell apart or is gone
 std::set<int> divideAnew(CutSurface& surface, const std::vector<int>& seam, const std::set<int>& own);
+
+/// Panels that are much smaller yet go to the neighbour with the longest border, where both are one panel
+/// then, if with a little more room: seams that are drawn anew move them by more.
+void joinSlivers(CutSurface& surface, PanelTests& tests, JoinHistory& history);
 
 /// Small panels take triangles from a neighbour, the nearest first, until they are large enough, where both
 /// are panels then.
