@@ -12,6 +12,7 @@ import pytest
 import shapely
 from meshlab_developable import PatternError, flatten
 from meshlab_developable.patterns import make_patterns, write_patterns
+from meshlab_developable.patterns.overlaps import find_overlap
 from shapes import grid
 
 
@@ -38,10 +39,25 @@ def ramp(turns=9.0):
     return grid(80, 4, lambda u, v: ((1 + v) * np.cos(turns * u), (1 + v) * np.sin(turns * u), 0.05 * u))
 
 
+def spiral(width):
+    """A ring round a square hole, whose end lies on its beginning by so much."""
+    outer = np.array([(10, 0), (10, 10), (-10, 10), (-10, -10), (10, -10), (10, width)])
+    inner = np.array([(5, width), (5, -5), (-5, -5), (-5, 5), (5, 5), (5, 0)])
+    return np.concatenate([outer, inner])
+
+
 def cut_polygons(folder):
     for layers in readers.read_dxf_blocks(folder / "pattern.dxf").values():
         (line,) = (geometry for geometry in layers["1"] if geometry.geom_type != "Point")
         yield shapely.Polygon(shapely.get_coordinates(line))
+
+
+def test_what_lies_on_itself_by_rounding_only_touches():
+    flat = flatten(*grid(3, 3, lambda u, v: (u, v, 0 * u)))
+    assert find_overlap(flat, 0, spiral(1e-12), 1.0) is None
+    found = find_overlap(flat, 0, spiral(0.5), 1.0)
+    assert found is not None
+    assert found.width == pytest.approx(0.5, rel=0.02)
 
 
 @pytest.mark.parametrize("outline", ["fair", "exact"])

@@ -20,6 +20,7 @@ from meshlab_developable.sewing import signed_area
 NARROW = 6.0  # mm; a wider overlap is not shared between the two sides
 _GAP = 0.02  # mm, that is left between them
 _ROUNDS = 40
+_ROUNDING = 1e-9  # mm; what is no wider than that only touches
 
 
 @dataclasses.dataclass(frozen=True)
@@ -45,6 +46,8 @@ def find_overlap(flat: FlatteningResult, number: int, ring: Array, millimetres: 
         return None
     circles = shapely.maximum_inscribed_circle(cells)
     widest = int(shapely.length(circles).argmax())
+    if 2 * float(circles[widest].length) < _ROUNDING:
+        return None
     centre = shapely.get_coordinates(circles[widest])[0]
     inside = np.flatnonzero(flat.pieces == number)
     nearest = inside[np.linalg.norm(millimetres * flat.vertices[inside] - centre, axis=1).argmin()]
