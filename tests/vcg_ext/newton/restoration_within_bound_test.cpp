@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "developable/newton/restoration_within_bound.h"
 
+#include "developable/newton/displacement_metric.h"
 #include "developable/newton/restoration.h"
 #include "newton_problems.h"
 
 namespace developable::test {
 namespace {
 
-double farthestBeyond(const PatchAssembly& assembly, const Positions& positions, double bound) {
-	return (positions - assembly.originalPositions).colwise().norm().maxCoeff() / bound;
-}
-
 /// From near a developable shape, within a bound that its farthest places touch.
 struct Touching {
 	explicit Touching(const PatchAssembly& given) : assembly(given) {
 		const Positions developable = expectConverges(given, 0.2);
 		start = given.originalPositions + 0.97 * (developable - given.originalPositions);
-		bound = (start - given.originalPositions).colwise().norm().maxCoeff();
+		bound = farthestMove(given, start);
 	}
 
 	/// \param restore  of a problem, its run and its steps
@@ -51,9 +48,9 @@ TEST(RestorationWithinBound, KeepsABoundThatOthersCrossOrComesNearer) {
 			const double epsilon = problem.tuning().returnRestoration * steps.greatestResponse();
 			return detail::Restoration(problem, run, steps, epsilon).restore();
 		});
-		ASSERT_GT(farthestBeyond(assembly, free, touching.bound), 1);
-		EXPECT_LT(farthestBeyond(assembly, within, touching.bound) - 1,
-				  0.5 * (farthestBeyond(assembly, free, touching.bound) - 1));
+		ASSERT_GT(farthestMove(assembly, free), touching.bound);
+		EXPECT_LT(farthestMove(assembly, within) - touching.bound,
+				  0.5 * (farthestMove(assembly, free) - touching.bound));
 	}
 }
 
@@ -61,14 +58,14 @@ TEST(RestorationWithinBound, LeadsADevelopableShapeNearerAndNeverFarther) {
 	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, steepBump));
 	Touching far(assembly);
 	far.start = expectConverges(assembly, 0.2);
-	const double farthest = farthestBeyond(assembly, far.start, 1);
+	const double farthest = farthestMove(assembly, far.start);
 	for (const double share : {0.97, 0.5, 1e-3}) {
 		const Positions nearer = far.restored([&](auto& problem, auto& run, auto& steps) {
 			return detail::restoreWithin(problem, run, steps, share * farthest);
 		});
-		EXPECT_LE(farthestBeyond(assembly, nearer, farthest), 1);
+		EXPECT_LE(farthestMove(assembly, nearer), farthest);
 		if (share > 0.9) {
-			EXPECT_LT(farthestBeyond(assembly, nearer, farthest), 1);
+			EXPECT_LT(farthestMove(assembly, nearer), farthest);
 		}
 	}
 }

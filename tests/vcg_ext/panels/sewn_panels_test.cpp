@@ -30,14 +30,19 @@ TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
 	EXPECT_GT(within.maxDisplacement, preferred / 2);
 }
 
-/// Seams have to change at both places that lie upon each other, or it would be chance that it helps.
-TEST(SewnPanels, overlapsAreWorstAtBothPlaces) {
+SewnPanels holdingPanels(int count) {
 	SewnPanels sewn;
-	sewn.panels.resize(3);
+	sewn.panels.resize(count);
 	for (CutPanel& panel : sewn.panels) {
 		panel.triangles = 10;
 		panel.developable = true;
 	}
+	return sewn;
+}
+
+/// Seams have to change at both places that lie upon each other, or it would be chance that it helps.
+TEST(SewnPanels, overlapsAreWorstAtBothPlaces) {
+	SewnPanels sewn = holdingPanels(3);
 	EXPECT_TRUE(worstPoints(sewn).empty());
 	const Eigen::Vector3d one(1, 2, 3), other(4, 5, 6);
 	sewn.panels[1].developable = false;
@@ -50,13 +55,9 @@ TEST(SewnPanels, overlapsAreWorstAtBothPlaces) {
 
 /// Others may fail for nothing else than the worst.
 TEST(SewnPanels, oneIsDividedAtATimeUnlessEachFailsForItself) {
-	SewnPanels sewn;
-	sewn.panels.resize(4);
-	for (CutPanel& panel : sewn.panels) {
-		panel.triangles = 10;
-		panel.developable = true;
+	SewnPanels sewn = holdingPanels(4);
+	for (CutPanel& panel : sewn.panels)
 		panel.maxDisplacement = 9;
-	}
 	EXPECT_TRUE(panelsToDivide(sewn).empty());
 	for (const int panel : {1, 2}) {
 		sewn.panels[panel].developable = false;
