@@ -63,6 +63,20 @@ TEST(PartialAssembly, OpensWhereTrianglesAreLeftOutAndKeepsSeams) {
 	expectCounts(partialAssembly(pair, first).assembly, 1, 5, 5, 0);
 }
 
+TEST(PartialAssembly, KnowsWhichPatchesItHas) {
+	const PatchAssembly three = assembled(
+		together(together(pyramid(origin, x, y, 0.2), pyramid(x, x, y, 0.9)), pyramid(y, y, x, 0.4)));
+	ASSERT_EQ(three.patchCount(), 3);
+	const auto patchesOf = [&](const Eigen::Matrix3Xi& triangles) {
+		return partialAssembly(three, triangles).wholePatch;
+	};
+	EXPECT_EQ(patchesOf(three.triangleCopies), std::vector<int>({0, 1, 2}));
+	EXPECT_EQ(patchesOf(trianglesWhere(three.triangleCopies, [](int t) { return t > 6; })),
+			  std::vector<int>({1, 2}));
+	const Eigen::Matrix3Xi lastFirst = three.triangleCopies.rowwise().reverse();
+	EXPECT_EQ(patchesOf(lastFirst), std::vector<int>({2, 1, 0}));
+}
+
 TEST(PartialAssembly, HasTheWholesOwnMeasureOfArea) {
 	TriangleMesh mesh = pyramid(origin, x, y, 0.3);
 	mesh.leastHeightRatio = 0.01;

@@ -30,6 +30,55 @@ TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
 	EXPECT_GT(within.maxDisplacement, preferred / 2);
 }
 
+/// What a coarse level says is what the surface does, and takes less time.
+TEST(SewnPanels, areSeenOnACoarseLevelOfALargeSurfaceIfBriefly) {
+	const auto sewn = [&](int side, bool brief) {
+		const GivenPatches given = detail::separatePatches(jitteredGrid(side, side, steepBump), {});
+		const PlannedSurface planned{given.mesh, given.origins,
+									 withPanels(given.mesh, strips(given.mesh, 3))};
+		const TriangleMesh cut = detail::meshAsCut(planned, given.vertexTaken);
+		const double diagonal = boxDiagonal(given.mesh.positions);
+		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, 1, brief, {});
+	};
+	EXPECT_FALSE(sewn(30, true).coarse);
+	const SewnPanels coarse = sewn(50, true), whole = sewn(50, false);
+	EXPECT_TRUE(coarse.coarse);
+	EXPECT_LT(coarse.cost(), whole.cost());
+	EXPECT_FALSE(whole.coarse);
+	EXPECT_EQ(detail::worstOf(coarse), -1);
+	EXPECT_EQ(detail::worstOf(whole), -1);
+	ASSERT_EQ(coarse.panels.size(), whole.panels.size());
+	EXPECT_NEAR(coarse.maxDisplacement, whole.maxDisplacement, 0.2 * whole.maxDisplacement);
+	for (std::size_t panel = 0; panel < whole.panels.size(); ++panel) {
+		EXPECT_EQ(coarse.panels[panel].triangles, whole.panels[panel].triangles);
+		EXPECT_NEAR(coarse.panels[panel].maxDisplacement, whole.panels[panel].maxDisplacement,
+					0.3 * whole.maxDisplacement);
+	}
+}
+
+/// Where one panel winds over itself when laid flat it does so on the surface's own triangles: these, and not
+/// those of the coarse level, are what a notch is closed along.
+TEST(SewnPanels, overlapsOfACoarseLevelAreOnTheSurface) {
+	const TriangleMesh mesh = grid(220, 12, [](double u, double v) { // more than one turn of a flat ring
+		const double angle = 2.2 * pi * u, radius = 4 + v;
+		return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0.5 * u + 0.02 * v * v);
+	});
+	const GivenPatches given = detail::separatePatches(mesh, {});
+	const PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 1))};
+	const SewnPanels sewn =
+		detail::developSewnPanels(detail::meshAsCut(planned, given.vertexTaken), planned.surface,
+								  {boxDiagonal(mesh.positions)}, {}, 1, true, {});
+	ASSERT_TRUE(sewn.coarse);
+	ASSERT_EQ(sewn.overlaps.size(), 1u);
+	EXPECT_TRUE(detail::overlaps(sewn.panels[0]));
+	for (const Eigen::Vector3d& point : sewn.overlaps.at(0)) {
+		double nearest = 1;
+		for (int t = 0; t < mesh.triangleCount(); ++t)
+			nearest = std::min(nearest, (barycentre(mesh.positions, mesh.triangles.col(t)) - point).norm());
+		EXPECT_LT(nearest, 1e-9);
+	}
+}
+
 SewnPanels holdingPanels(int count) {
 	SewnPanels sewn;
 	sewn.panels.resize(count);

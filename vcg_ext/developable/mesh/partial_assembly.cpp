@@ -30,10 +30,14 @@ PartialAssembly partialAssembly(const PatchAssembly& whole, const Eigen::Matrix3
 	mesh.lengthExponent = whole.lengthExponent;
 	PatchOptions options;
 	options.fixSelected = true;
-	PartialAssembly result{assemblePatches(mesh, options), {}};
+	PartialAssembly result{assemblePatches(mesh, options), {}, {}};
 	result.wholePlace.resize(result.assembly.placeCount());
 	for (std::size_t vertex = 0; vertex < placeOfVertex.size(); ++vertex)
 		result.wholePlace[result.assembly.placeOfVertex[vertex]] = placeOfVertex[vertex];
+	const PatchAssembly& part = result.assembly;
+	result.wholePatch.resize(part.patchCount());
+	for (int t = 0; t < part.triangleCount(); ++t)
+		result.wholePatch[part.patchOfTriangle[t]] = whole.patchOfCopy[triangles(0, part.faceOfTriangle[t])];
 	return result;
 }
 

@@ -10,6 +10,7 @@ namespace developable {
 struct PartialAssembly {
 	PatchAssembly assembly;
 	std::vector<int> wholePlace; ///< per place, which one of the whole it is
+	std::vector<int> wholePatch; ///< per patch, which one of the whole it is, or is of
 };
 
 /// \param triangles  3 x triangles, copies of the whole

@@ -31,7 +31,9 @@ bool PanelPlan::absorb(int panel, int neighbour) {
 
 bool PanelPlan::keepIfAllHold(CutSurface changed) {
 	std::swap(planned_.surface, changed);
-	SewnPanels sewn = sewTogether(false);
+	SewnPanels sewn = sewTogether(true);
+	if (worstOf(sewn) < 0 && sewn.coarse)
+		sewn = sewTogether(false);
 	const bool holds = worstOf(sewn) < 0;
 	if (holds)
 		sewn_ = std::move(sewn);

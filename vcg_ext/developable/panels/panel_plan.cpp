@@ -3,7 +3,6 @@
 #include "panel_plan.h"
 
 #include "cut_report.h"
-#include "displacement_limits.h"
 #include "first_panels.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
@@ -16,8 +15,6 @@
 #include "small_panels.h"
 #include "taken_back_joins.h"
 
-#include "developable/newton/constrained_newton.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -25,42 +22,30 @@
 
 namespace developable::detail {
 
-namespace {
-
-/// As the constrained Newton method will prefer it where the user runs it. Limits by default are the same
-/// along any axes, and so what is preferred is here.
-double preferredMove(const PatchAssembly& assembly, const std::vector<double>& limits,
-					 const CutOptions& options) {
-	const double share = ConstrainedNewtonOptions().tuning.preferredMove;
-	if (options.maxDisplacement >= 0)
-		return share;
-	const std::vector<double> alongAxes = displacementLimits(assembly, options.maxDisplacement);
-	double least = 1;
-	for (std::size_t patch = 0; patch < limits.size(); ++patch)
-		least = std::min(least, limits[patch] / alongAxes[patch]);
-	return least * share;
-}
-
-} // namespace
-
-PanelPlan::PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
+PanelPlan::PanelPlan(const GivenPatches& given, const std::vector<double>& limits, const CutOptions& options,
 					 const Progress& progress)
-	: options_(options), given_(given),
-	  limits_(std::move(limits)), planned_{given_.mesh, given_.origins,
-										   CutSurface(assemblePatches(given_.mesh, {}))} {
-	tests_ = std::make_unique<PanelTests>(limits_, options_.material, progress);
-	preferredMove_ = preferredMove(planned_.surface.assembly(), limits_, options_);
+	: options_(options),
+	  given_(given), planned_{given_.mesh, given_.origins, CutSurface(assemblePatches(given_.mesh, {}))} {
+	tests_ = std::make_unique<PanelTests>(limits, options_.material, progress);
+	sewing_ = std::make_unique<PanelSewing>(given_, limits, options_, *tests_);
 }
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
-	--sewingsLeft_;
-	return sewnNow(brief);
+	SewnPanels sewn = sewing_->sew(planned_, brief);
+	sewing_->triesLeft -= sewn.cost();
+	return sewn;
 }
 
-SewnPanels PanelPlan::sewnNow(bool brief) {
-	sewnWork_ += planned_.mesh.triangleCount();
-	return developSewnPanels(meshAsCut(planned_, given_.vertexTaken), planned_.surface, limits_,
-							 options_.material, preferredMove_, brief, progressOfRest());
+/// What holds on a coarse level may not on the surface itself: then overlaps are closed, and darts cut, where
+/// it does not, as far as the coarse level holds with these, too.
+SewnPanels PanelPlan::confirmed(SewnPanels sewn) {
+	constexpr int attempts = 3;
+	for (int attempt = 1; sewn.coarse && worstOf(sewn) < 0 && !tests_->stopped(); ++attempt) {
+		sewn = sewTogether(false);
+		if (attempt < attempts)
+			sewn = relieved(std::move(sewn), true);
+	}
+	return sewn;
 }
 
 /// Sewn together, panels pull at each other.
@@ -86,7 +71,7 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 12;
 	reliefsLeft_ = mostReliefs;
 	closingsLeft_ = mostClosings;
-	SewnPanels sewn = relieved(sewTogether(false), true);
+	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
 		for (const int panel : worstFirst(sewn))
@@ -95,13 +80,9 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 		if (!any)
 			break;
 		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
-		sewn = relieved(sewTogether(false), true);
+		sewn = confirmed(relieved(sewTogether(true), true));
 	}
 	return sewn;
-}
-
-Progress PanelPlan::progressOfRest() {
-	return [this](double, const std::string&) { return tests_->mayGoOn(0.7, "sewing the panels together"); };
 }
 
 const std::vector<int>& PanelPlan::cluster(double deviation) {
@@ -120,7 +101,8 @@ void PanelPlan::joinUntilAllHold() {
 	if (options_.darts && options_.splitTriangles)
 		joinWithRelief(planned_.surface, *tests_, history_, dartTips_, keptTriangles(planned_, options_));
 	const bool fewer = planned_.surface.usedPanelCount() < joined.surface.usedPanelCount();
-	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() || sewingsLeft_ <= 0)
+	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() ||
+		sewing_->triesLeft <= 0)
 		return;
 	planned_ = joined;
 	dartTips_.clear();
@@ -151,7 +133,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 			return true;
 		PlannedSurface divided = joined;
 		mayJoin = divideFailing(divided, sewn);
-		if (round == rounds || tests_->stopped() || mayJoin.empty() || sewingsLeft_ <= 0)
+		if (round == rounds || tests_->stopped() || mayJoin.empty() || sewing_->triesLeft <= 0)
 			return false;
 		planned_ = std::move(divided);
 		dartTips_ = dartTips;
@@ -190,8 +172,9 @@ std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPan
 
 ClosingSteps PanelPlan::closingSteps() {
 	return {[this] {
-				--closingsLeft_;
-				return sewnNow(true);
+				SewnPanels sewn = sewing_->sew(planned_, true);
+				closingsLeft_ -= sewn.cost();
+				return sewn;
 			},
 			[this] { return !tests_->stopped() && closingsLeft_ > 0; }};
 }
@@ -223,11 +206,15 @@ SewnPanels PanelPlan::smoothSeams() {
 	const SewingSteps steps{[this] { return sewTogether(true); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), false); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), true); },
-							[this] { return !tests_->stopped() && sewingsLeft_ > 0; }};
+							[this] { return !tests_->stopped() && sewing_->triesLeft > 0; }};
 	SeamSmoothing drawings(planned_, clusters_, dartTips_, options_, mirror_, steps);
-	SewnPanels sewn = drawings.run();
+	const SewnPanels drawn = drawings.run();
 	lessSmooth_.emplace(drawings.safest());
-	return sewn;
+	SewnPanels sewn = confirmed(drawn);
+	if (worstOf(drawn) >= 0 || worstOf(sewn) < 0 || tests_->stopped())
+		return sewn;
+	planned_ = drawings.safest();
+	return confirmed(drawn);
 }
 
 bool PanelPlan::search() {

@@ -6,6 +6,7 @@
 #include "mirror_plane.h"
 #include "overlap_closing.h"
 #include "panel_joining.h"
+#include "panel_sewing.h"
 #include "planned_surface.h"
 
 #include <memory>
@@ -19,7 +20,7 @@ enum class SymmetricOutcome { Pairs, Divided, Fails };
 class PanelPlan {
 public:
 	/// \param limits  per patch, how far its panels may move, length
-	PanelPlan(const GivenPatches& given, std::vector<double> limits, const CutOptions& options,
+	PanelPlan(const GivenPatches& given, const std::vector<double>& limits, const CutOptions& options,
 			  const Progress& progress);
 
 	/// Makes the clusters that joining begins with.
@@ -51,7 +52,7 @@ public:
 	std::vector<PlannedSurface> found() const;
 	bool stopped() const { return tests_->stopped(); }
 	/// How much has been tested and sewn, in triangles.
-	double work() const { return tests_->work() + sewnWork_; }
+	double work() const { return tests_->work() + sewing_->work(); }
 	CutResult result() const;
 
 private:
@@ -67,30 +68,26 @@ private:
 	SewnPanels divideUntilAllHold();
 
 	SewnPanels sewTogether(bool brief);
-	SewnPanels sewnNow(bool brief);
+	SewnPanels confirmed(SewnPanels sewn);
 	ClosingSteps closingSteps();
 	SewnExcess sewnExcess();
 	SewnPanels smoothSeams();
 	SewnPanels relieved(SewnPanels sewn, bool darts);
 	SewnPanels withDarts(SewnPanels sewn);
-	Progress progressOfRest();
 
 	const CutOptions options_;
 	const GivenPatches given_;
-	const std::vector<double> limits_; // per patch
-	double preferredMove_ = 0;         // of a run of all that are sewn together, share of the diagonal
 	PlannedSurface planned_;
 	SewnPanels sewn_; // what becomes of it
 	std::optional<PlannedSurface> lessSmooth_;
 	std::unique_ptr<PanelTests> tests_;
+	std::unique_ptr<PanelSewing> sewing_;
 	std::vector<int> clusters_; // per triangle, before any were joined
 	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help, or
 	/// closing overlaps.
 	static constexpr int mostReliefs = 12, mostClosings = 16;
-	int reliefsLeft_ = mostReliefs, closingsLeft_ = mostClosings;
-	double sewnWork_ = 0; // triangles
+	double reliefsLeft_ = mostReliefs, closingsLeft_ = mostClosings;
 	const MirrorPlane* mirror_ = nullptr;
-	int sewingsLeft_ = 30; // until what does not hold is just divided
 	std::vector<Eigen::Vector3d> dartTips_;
 	JoinHistory history_;
 };

@@ -120,9 +120,8 @@ void judge(CutPanel& panel, bool holds, Reason otherwise, double limit) {
 	panel.reason = panel.developable ? Reason::AsStatus : why;
 }
 
-/// Zero strain.
-void judgeCurvature(const PatchAssembly& assembly, const Positions& positions,
-					const ConstrainedNewtonOptions& options, const std::vector<int>& panelOfPatch,
+/// Zero strain. \return whether all are developable and near; they may overlap themselves
+bool judgeCurvature(const ConstrainedNewtonOptions& options, const std::vector<int>& panelOfPatch,
 					const std::vector<double>& limits, SewnPanels& result) {
 	bool all = true;
 	for (const int panel : panelOfPatch) {
@@ -132,8 +131,7 @@ void judgeCurvature(const PatchAssembly& assembly, const Positions& positions,
 		judge(report, flat, Reason::NeedsCut, limits[panel]);
 		all = all && report.developable;
 	}
-	if (all)
-		refuseOverlaps(assembly, positions, panelOfPatch, result);
+	return all;
 }
 
 /// Strain within bounds.
@@ -156,6 +154,56 @@ double excess(const CutPanel& panel) {
 		return 0;
 	constexpr double least = 1e-300; // what overlaps may not move at all
 	return std::max(least, panel.maxDisplacement * (1 + panel.curvatureAfter));
+}
+
+/// On so many places; surfaces with hardly more of them are not worth a coarse level.
+constexpr int coarsePlaces = 1500;
+constexpr double worthWhile = 1.3; // times as many
+
+/// The same as on the finest level, which follows the coarser ones, in a fraction of the time. Patterns are
+/// laid flat as fine as they are: whether borders cross is a matter of fractions of an edge.
+void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
+					 ConstrainedNewtonOptions options, const std::vector<double>& limits, SewnPanels& result,
+					 const Progress& progress) {
+	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
+	const PartialAssembly coarse = coarserLevel(assembly, coarsePlaces);
+	std::vector<int> panelOfCoarsePatch;
+	for (const int patch : coarse.wholePatch)
+		panelOfCoarsePatch.push_back(panelOfPatch[patch]);
+	options.tuning.preferredMove *= options.tuning.coarseRoom;
+	Positions positions = coarse.assembly.originalPositions;
+	constrainedNewton(coarse.assembly, positions, options, progress);
+	result.coarse = true;
+	measurePanels(coarse.assembly, positions, surface, panelOfCoarsePatch, limits, result);
+	if (!judgeCurvature(options, panelOfCoarsePatch, limits, result))
+		return;
+	const Positions carried = carriedOver(assembly, coarse, positions - coarse.assembly.originalPositions);
+	refuseOverlaps(assembly, assembly.originalPositions + carried, panelOfPatch, result);
+}
+
+/// With zero strain, as the user will.
+void developWholly(const PatchAssembly& assembly, const CutSurface& surface,
+				   const ConstrainedNewtonOptions& options, const std::vector<double>& limits,
+				   SewnPanels& result, const Progress& progress) {
+	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
+	Positions positions = assembly.originalPositions;
+	constrainedNewton(assembly, positions, options, progress);
+	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
+	if (judgeCurvature(options, panelOfPatch, limits, result))
+		refuseOverlaps(assembly, positions, panelOfPatch, result);
+}
+
+/// With a material.
+void developStrained(const PatchAssembly& assembly, const CutSurface& surface, const PanelMaterial& material,
+					 bool brief, const std::vector<double>& limits, SewnPanels& result,
+					 const Progress& progress) {
+	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
+	const double maxDisplacement = ConstrainedNewtonOptions().maxDisplacement;
+	Positions positions = assembly.originalPositions;
+	const std::vector<PatternVerdict> verdicts =
+		bringWithinBounds(assembly, positions, material, {maxDisplacement, 0, brief}, progress);
+	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
+	judgeStrain(verdicts, panelOfPatch, limits, result.panels);
 }
 
 } // namespace
@@ -225,22 +273,15 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	result.panels.resize(surface.panelCount());
 	if (markClosed(assembly, surface, result))
 		return result;
-	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
 	const std::vector<double> limits = limitsOfPanels(surface, maxDisplacement);
 	ConstrainedNewtonOptions options;
 	options.tuning.preferredMove = preferredMove;
-	Positions positions = assembly.originalPositions;
-	std::vector<PatternVerdict> verdicts;
 	if (material.bounds.any())
-		verdicts =
-			bringWithinBounds(assembly, positions, material, {options.maxDisplacement, 0, brief}, progress);
+		developStrained(assembly, surface, material, brief, limits, result, progress);
+	else if (brief && assembly.placeCount() > worthWhile * coarsePlaces)
+		developCoarsely(assembly, surface, options, limits, result, progress);
 	else
-		constrainedNewton(assembly, positions, options, progress);
-	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
-	if (material.bounds.any())
-		judgeStrain(verdicts, panelOfPatch, limits, result.panels);
-	else
-		judgeCurvature(assembly, positions, options, panelOfPatch, limits, result);
+		developWholly(assembly, surface, options, limits, result, progress);
 	return result;
 }
 

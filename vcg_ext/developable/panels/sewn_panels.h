@@ -20,6 +20,10 @@ struct SewnPanels {
 	std::map<int, std::vector<int>> notches;
 	double meanDisplacement = 0;
 	double maxDisplacement = 0;
+	bool coarse = false; ///< seen on a coarse level: the surface itself may end otherwise
+
+	/// Of the run, beside one on the surface itself: less time would be allowed for more tries.
+	double cost() const { return coarse ? 0.5 : 1; }
 };
 
 /// How bad it is that panels are not developable, in any unit; 0 when all are.
@@ -50,7 +54,8 @@ bool wantsDart(const CutPanel& panel);
 /// \param maxDisplacement  per patch of the surface
 /// \param material         without any strain all have to become developable
 /// \param preferredMove    see NewtonTuning, share of the diagonal
-/// \param brief            with a material, a run that gives up early
+/// \param brief            a run on a coarse level of a large surface; with a material one that gives up
+/// early
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
 							 double preferredMove, bool brief, const Progress& progress);

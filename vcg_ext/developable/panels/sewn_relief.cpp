@@ -7,7 +7,7 @@
 namespace developable::detail {
 
 SewnRelief::SewnRelief(PlannedSurface& planned, const CutOptions& options, const PanelTests& tests,
-					   std::vector<Eigen::Vector3d>& tips, int& sewingsLeft, Sewing sew)
+					   std::vector<Eigen::Vector3d>& tips, double& sewingsLeft, Sewing sew)
 	: planned_(planned), held_(keptTriangles(planned, options)), tests_(tests), tips_(tips),
 	  sewingsLeft_(sewingsLeft), sew_(std::move(sew)) {}
 
@@ -43,9 +43,10 @@ bool SewnRelief::tryRound(const Round& round, SewnPanels& sewn) {
 	const CutSurface before = planned_.surface;
 	while (true) {
 		const std::set<int> panels = addDarts(round, sewn);
-		if (panels.empty() || sewingsLeft_-- <= 0)
+		if (panels.empty() || sewingsLeft_ <= 0)
 			break;
 		SewnPanels next = sew_();
+		sewingsLeft_ -= next.cost();
 		if (tests_.stopped())
 			break;
 		if (!overlapNow(panels, sewn, next)) {

@@ -22,7 +22,7 @@ public:
 	/// \param tips  of darts: gets those that stay
 	/// \param sewingsLeft  how often all may be sewn together: that takes long
 	SewnRelief(PlannedSurface& planned, const CutOptions& options, const PanelTests& tests,
-			   std::vector<Eigen::Vector3d>& tips, int& sewingsLeft, Sewing sew);
+			   std::vector<Eigen::Vector3d>& tips, double& sewingsLeft, Sewing sew);
 
 	/// \param sewn  the surface as it is
 	/// \return      the surface as it is afterwards
@@ -46,7 +46,7 @@ private:
 	const std::vector<char> held_; // per triangle
 	const PanelTests& tests_;      // which know of a stop
 	std::vector<Eigen::Vector3d>& tips_;
-	int& sewingsLeft_;
+	double& sewingsLeft_;
 	const Sewing sew_;
 	std::vector<Eigen::Vector3d> tipsOfRound_;
 	std::set<int> withoutDarts_;

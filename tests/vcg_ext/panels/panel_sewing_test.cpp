@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plans are sewn once, and once more when they have changed.
+#include "developable/panels/panel_sewing.h"
+
+#include "panel_shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace developable::test {
+namespace {
+
+using detail::GivenPatches;
+using detail::PanelSewing;
+using detail::PanelTests;
+using detail::PlannedSurface;
+using detail::SewnPanels;
+
+class PanelSewingTest : public testing::Test {
+protected:
+	PlannedSurface plannedWith(int panels) const {
+		return {given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, panels))};
+	}
+
+	const GivenPatches given = detail::separatePatches(jitteredGrid(12, 12, steepBump), {});
+	const std::vector<double> limits = {0.2 * boxDiagonal(given.mesh.positions)};
+	bool goOn = true;
+	PanelTests tests{limits, {}, [this](double, const std::string&) { return goOn; }};
+	PanelSewing sewing{given, limits, {}, tests};
+};
+
+TEST_F(PanelSewingTest, DoesNotRunAgainWhatItHasSeen) {
+	const SewnPanels first = sewing.sew(plannedWith(2), false);
+	const double work = sewing.work();
+	EXPECT_EQ(work, given.mesh.triangleCount());
+	EXPECT_EQ(first.panels.size(), 2u);
+	const SewnPanels again = sewing.sew(plannedWith(2), false);
+	EXPECT_EQ(sewing.work(), work);
+	EXPECT_EQ(again.maxDisplacement, first.maxDisplacement);
+	EXPECT_EQ(again.panels.size(), 2u);
+	EXPECT_EQ(sewing.sew(plannedWith(3), false).panels.size(), 3u);
+	EXPECT_EQ(sewing.work(), 2 * work);
+	sewing.sew(plannedWith(3), true);
+	EXPECT_EQ(sewing.work(), 3 * work);
+}
+
+TEST_F(PanelSewingTest, RunsAgainWhatASlitHasChanged) {
+	PlannedSurface planned = plannedWith(1);
+	sewing.sew(planned, false);
+	const double work = sewing.work();
+	const detail::CutSurface& surface = planned.surface;
+	for (int h = 0; h < 3 * given.mesh.triangleCount(); ++h)
+		if (surface.assembly().across(h) >= 0) {
+			planned.surface.setCut(h, true);
+			break;
+		}
+	sewing.sew(planned, false);
+	EXPECT_EQ(sewing.work(), 2 * work);
+}
+
+/// What a stop has cut short is nothing that was seen.
+TEST_F(PanelSewingTest, ForgetsWhatWasStopped) {
+	goOn = false;
+	sewing.sew(plannedWith(2), false);
+	ASSERT_TRUE(tests.stopped());
+	const double work = sewing.work();
+	sewing.sew(plannedWith(2), false);
+	EXPECT_GT(sewing.work(), work);
+}
+
+} // namespace
+} // namespace developable::test

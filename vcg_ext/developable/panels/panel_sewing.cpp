@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_sewing.cpp: what is sewn, with what bound, and what came of it before.
+#include "panel_sewing.h"
+
+#include "displacement_limits.h"
+
+#include "developable/newton/constrained_newton.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace developable::detail {
+
+namespace {
+
+/// As the constrained Newton method will prefer it where the user runs it. Limits by default are the same
+/// along any axes, and so what is preferred is here.
+double preferredMove(const PatchAssembly& assembly, const std::vector<double>& limits,
+					 const CutOptions& options) {
+	const double share = ConstrainedNewtonOptions().tuning.preferredMove;
+	if (options.maxDisplacement >= 0)
+		return share;
+	const std::vector<double> alongAxes = displacementLimits(assembly, options.maxDisplacement);
+	double least = 1;
+	for (std::size_t patch = 0; patch < limits.size(); ++patch)
+		least = std::min(least, limits[patch] / alongAxes[patch]);
+	return least * share;
+}
+
+} // namespace
+
+bool PanelSewing::Asked::operator==(const Asked& other) const {
+	return std::tie(brief, panels, triangles, positions) ==
+		   std::tie(other.brief, other.panels, other.triangles, other.positions);
+}
+
+PanelSewing::PanelSewing(const GivenPatches& given, const std::vector<double>& limits,
+						 const CutOptions& options, PanelTests& tests)
+	: given_(given), limits_(limits), options_(options), tests_(tests),
+	  preferredMove_(preferredMove(assemblePatches(given.mesh, {}), limits, options)) {}
+
+SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
+	const TriangleMesh mesh = meshAsCut(planned, given_.vertexTaken);
+	Asked asked{{mesh.positions.data(), mesh.positions.data() + mesh.positions.size()},
+				{mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size()},
+				planned.surface.panels(),
+				brief};
+	for (const Seen& seen : seen_)
+		if (seen.asked == asked)
+			return seen.sewn;
+	work_ += planned.mesh.triangleCount();
+	SewnPanels sewn = developSewnPanels(
+		mesh, planned.surface, limits_, options_.material, preferredMove_, brief,
+		[&](double, const std::string&) { return tests_.mayGoOn(0.7, "sewing the panels together"); });
+	if (tests_.stopped())
+		return sewn;
+	if (seen_.size() == mostSeen)
+		seen_.pop_front();
+	seen_.push_back({std::move(asked), sewn});
+	return sewn;
+}
+
+} // namespace developable::detail

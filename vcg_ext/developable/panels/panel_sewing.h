@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_sewing.h: all panels of a plan made developable together, time and again.
+#pragma once
+
+#include "panel_tests.h"
+#include "planned_surface.h"
+#include "sewn_panels.h"
+
+#include <deque>
+
+namespace developable::detail {
+
+/// Sews plans together. That takes long: how often is counted, and what was seen lately is not run again.
+class PanelSewing {
+public:
+	/// \param given   outlives this, as do the tests, which know of a stop
+	/// \param limits  per patch, how far its panels may move, length
+	PanelSewing(const GivenPatches& given, const std::vector<double>& limits, const CutOptions& options,
+				PanelTests& tests);
+
+	/// \param brief  see developSewnPanels
+	SewnPanels sew(const PlannedSurface& planned, bool brief);
+
+	/// Until what does not hold is just divided, sewings may be tried; how many are left.
+	double triesLeft = 30;
+	/// How much was sewn, in triangles.
+	double work() const { return work_; }
+
+private:
+	/// What the outcome depends on.
+	struct Asked {
+		std::vector<double> positions;
+		std::vector<int> triangles, panels; // of the mesh as cut; per triangle of the surface
+		bool brief = false;
+		bool operator==(const Asked& other) const;
+	};
+	struct Seen {
+		Asked asked;
+		SewnPanels sewn;
+	};
+	static constexpr std::size_t mostSeen = 8; // large surfaces take room
+
+	const GivenPatches& given_;
+	const std::vector<double> limits_;
+	const CutOptions options_;
+	PanelTests& tests_;
+	double preferredMove_; // of a run, share of the diagonal
+	double work_ = 0;
+	std::deque<Seen> seen_;
+};
+
+} // namespace developable::detail
