@@ -5,8 +5,11 @@
 #include "canonical_form.h"
 #include "displacement_limits.h"
 #include "found_panels.h"
+#include "given_parts.h"
 #include "normal_clusters.h"
 #include "panel_plan.h"
+
+#include <algorithm>
 
 namespace developable {
 
@@ -75,6 +78,27 @@ CutResult cutPatches(const GivenPatches& given, const CutOptions& options, const
 	return (asForm ? cutForm : cutAsItIs)(given, options, progress);
 }
 
+/// Side by side: they have no bearing on each other, unless all of them together are to have so many panels
+/// or to mirror each other.
+CutResult cutParts(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
+	if (options.maxPanels > 0 || options.symmetric)
+		return cutPatches(given, options, progress);
+	const std::vector<GivenPatches> parts = partsOf(given);
+	if (parts.size() == 1)
+		return cutPatches(given, options, progress);
+	std::vector<CutResult> results(parts.size());
+	std::vector<Task> tasks;
+	for (std::size_t i = 0; i < parts.size(); ++i)
+		tasks.push_back({double(parts[i].mesh.triangleCount()), [&, i](const Progress& ofPart) {
+							 results[i] = cutPatches(parts[i], options, neverBack(ofPart));
+						 }});
+	runTasks(tasks, 0, progress);
+	const auto wasStopped = [](const CutResult& result) { return result.report.status == Status::Stopped; };
+	if (std::any_of(results.begin(), results.end(), wasStopped))
+		return stoppedResult();
+	return putTogether(parts, results);
+}
+
 } // namespace
 
 } // namespace detail
@@ -87,7 +111,7 @@ CutResult cutIntoPanels(const TriangleMesh& mesh, const PatchOptions& patches, c
 	requireOption(!std::isnan(options.maxDisplacement) && !std::isinf(options.maxDisplacement),
 				  "The greatest displacement must be a number.");
 	requireValid(options.material.bounds);
-	return detail::cutPatches(detail::separatePatches(mesh, patches), options, neverBack(progress));
+	return detail::cutParts(detail::separatePatches(mesh, patches), options, neverBack(progress));
 }
 
 } // namespace developable

@@ -8,24 +8,18 @@
 
 namespace developable::detail {
 
-namespace {
-
-/// Of the sides of different patches that have both ends in common, length.
-/// \param vertices  3 x triangles of the assembly, in the mesh that was given
-double lengthOfSharedSides(const PatchAssembly& assembly, const Eigen::Matrix3Xi& vertices) {
-	std::map<std::pair<int, int>, int> sides;
+double lengthOfSharedSides(const GivenPatches& given) {
+	std::map<std::pair<int, int>, int> own, shared; // how many triangles have a side
+	for (int h = 0; h < 3 * given.mesh.triangleCount(); ++h)
+		++own[std::minmax({vertexAt(given.mesh, h), vertexAt(given.mesh, nextCorner(h))})];
 	double length = 0;
-	for (int h = 0; h < 3 * assembly.triangleCount(); ++h) {
-		const auto ends = std::minmax(vertices.data()[h], vertices.data()[nextCorner(h)]);
-		if (assembly.across(h) < 0 && ++sides[ends] == 2)
-			length += (assembly.originalPositions.col(assembly.placeAt(h)) -
-					   assembly.originalPositions.col(assembly.placeAt(nextCorner(h))))
-						  .norm();
+	for (const auto& [side, triangles] : own) {
+		const auto [a, b] = side;
+		if (triangles == 1 && ++shared[std::minmax({given.origins[a].first, given.origins[b].first})] == 2)
+			length += (given.mesh.positions.col(a) - given.mesh.positions.col(b)).norm();
 	}
 	return length;
 }
-
-} // namespace
 
 GivenPatches separatePatches(const TriangleMesh& mesh, const PatchOptions& patches) {
 	GivenPatches result;
@@ -41,18 +35,16 @@ GivenPatches separatePatches(const TriangleMesh& mesh, const PatchOptions& patch
 	result.mesh.face = given.faceOfTriangle;
 	result.origins.resize(given.copyCount());
 	std::vector<char> worked(mesh.triangleCount(), 0);
-	Eigen::Matrix3Xi vertices(3, given.triangleCount());
 	for (int corner = 0; corner < 3 * given.triangleCount(); ++corner) {
 		const int copy = given.copyAt(corner), t = triangleOfFace[given.faceOfTriangle[triangleOf(corner)]];
 		const int vertex = mesh.triangles(cornerInTriangle(corner), t);
 		worked[t] = 1;
-		vertices.data()[corner] = vertex;
 		result.origins[copy] = {vertex, vertex, 0};
 		result.mesh.positions.col(copy) = given.originalPositions.col(given.placeOfCopy[copy]);
 		if (cornerInTriangle(corner) == 0)
 			result.mesh.triangleSelected.push_back(mesh.triangleSelected[t]);
 	}
-	result.seamLength = lengthOfSharedSides(given, vertices);
+	result.seamLength = lengthOfSharedSides(result);
 	result.vertexTaken.assign(mesh.vertexCount(), 0);
 	for (int t = 0; t < mesh.triangleCount(); ++t)
 		for (int corner = 0; corner < 3 && !worked[t]; ++corner)

@@ -16,6 +16,9 @@ struct GivenPatches {
 	double seamLength = 0;             ///< between patches that share vertices
 };
 
+/// Of the sides of different patches that have both ends in common on the mesh that was given, length.
+double lengthOfSharedSides(const GivenPatches& given);
+
 GivenPatches separatePatches(const TriangleMesh& mesh, const PatchOptions& patches);
 
 /// Panels, and the mesh whose triangles they have: these are split where smooth seams cross them.
