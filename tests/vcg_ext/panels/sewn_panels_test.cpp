@@ -41,7 +41,7 @@ TEST(SewnPanels, areSeenOnACoarseLevelOfALargeSurfaceIfBriefly) {
 		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, 1, brief, {});
 	};
 	EXPECT_FALSE(sewn(30, true).coarse);
-	const SewnPanels coarse = sewn(50, true), whole = sewn(50, false);
+	const SewnPanels coarse = sewn(57, true), whole = sewn(57, false);
 	EXPECT_TRUE(coarse.coarse);
 	EXPECT_LT(coarse.cost(), whole.cost());
 	EXPECT_FALSE(whole.coarse);
@@ -59,7 +59,7 @@ TEST(SewnPanels, areSeenOnACoarseLevelOfALargeSurfaceIfBriefly) {
 /// Where one panel winds over itself when laid flat it does so on the surface's own triangles: these, and not
 /// those of the coarse level, are what a notch is closed along.
 TEST(SewnPanels, overlapsOfACoarseLevelAreOnTheSurface) {
-	const TriangleMesh mesh = grid(220, 12, [](double u, double v) { // more than one turn of a flat ring
+	const TriangleMesh mesh = grid(280, 12, [](double u, double v) { // more than one turn of a flat ring
 		const double angle = 2.2 * pi * u, radius = 4 + v;
 		return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0.5 * u + 0.02 * v * v);
 	});
