@@ -66,15 +66,16 @@ SewnPanels PanelPlan::joinedWithDarts() {
 	return divideUntilAllHold();
 }
 
-/// Divides all that does not hold together, and where darts do not help, in two each time.
+/// Divides in two what does not hold together, where darts do not help: one panel in a round at first, as
+/// others may hold then, too; later all of them, for it has to end.
 SewnPanels PanelPlan::divideUntilAllHold() {
-	constexpr int rounds = 12;
+	constexpr int rounds = 20, roundsOfOne = 8;
 	reliefsLeft_ = mostReliefs;
 	closingsLeft_ = mostClosings;
 	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
-		for (const int panel : worstFirst(sewn))
+		for (const int panel : round < roundsOfOne ? panelsToDivide(sewn) : worstFirst(sewn))
 			if (sewn.overlaps.count(panel) == 0 && planned_.surface.trianglesOf(panel).size() > 1)
 				any = divideInTwo(planned_, options_, panel) || any;
 		if (!any)
