@@ -85,9 +85,9 @@ std::string nameOf(const GivenPatches& part, std::size_t number, std::size_t cou
 		   counted(std::size_t(part.mesh.triangleCount()), "face", "faces") + " round (" + place + "): ";
 }
 
-/// The worst tells.
+/// The worst tells. None were stopped, and no part has a limit of panels.
 Status worse(Status a, Status b) {
-	for (const Status status : {Status::Stopped, Status::NeedsCut, Status::LimitReached, Status::Converged})
+	for (const Status status : {Status::NeedsCut, Status::Converged})
 		if (a == status || b == status)
 			return status;
 	return Status::NothingToDo;
@@ -113,14 +113,13 @@ void append(CutReport& report, const CutReport& part, double verticesBefore, dou
 } // namespace
 
 std::vector<GivenPatches> partsOf(const GivenPatches& given) {
-	std::vector<std::vector<int>> triangles;
 	const std::vector<int> part = partOfTriangles(given.mesh);
-	triangles.resize(1 + *std::max_element(part.begin(), part.end()));
+	std::vector<std::vector<int>> triangles(1 + *std::max_element(part.begin(), part.end()));
 	for (std::size_t t = 0; t < part.size(); ++t)
 		triangles[part[t]].push_back(static_cast<int>(t));
-	std::vector<GivenPatches> parts;
 	if (triangles.size() == 1)
 		return {given};
+	std::vector<GivenPatches> parts;
 	parts.reserve(triangles.size());
 	for (const std::vector<int>& own : triangles)
 		parts.push_back(partOf(given, own));
@@ -128,8 +127,6 @@ std::vector<GivenPatches> partsOf(const GivenPatches& given) {
 }
 
 CutResult putTogether(const std::vector<GivenPatches>& parts, const std::vector<CutResult>& results) {
-	if (results.size() == 1)
-		return results.front();
 	CutResult whole;
 	whole.report.smallestPanelArea = std::numeric_limits<double>::infinity();
 	double vertices = 0;

@@ -11,8 +11,8 @@ namespace developable::detail {
 /// what is found for one has no bearing on another. In the order of their first patches.
 std::vector<GivenPatches> partsOf(const GivenPatches& given);
 
-/// What was found for each part, in their order, as one result: panels are numbered part by part, notes say
-/// which part they are on.
+/// What was found for each of several parts, in their order, as one result: panels are numbered part by part,
+/// notes say which part they are on.
 CutResult putTogether(const std::vector<GivenPatches>& parts, const std::vector<CutResult>& results);
 
 } // namespace developable::detail

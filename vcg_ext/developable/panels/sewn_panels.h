@@ -22,7 +22,7 @@ struct SewnPanels {
 	double maxDisplacement = 0;
 	bool coarse = false; ///< seen on a coarse level: the surface itself may end otherwise
 
-	/// Of the run, beside one on the surface itself: less time would be allowed for more tries.
+	/// What the run counts for where runs are limited, beside one on the surface itself; it takes less.
 	double cost() const { return coarse ? 0.5 : 1; }
 };
 
