@@ -49,5 +49,21 @@ TEST(BendingMatrix, WeighsPatchesByThemselves) {
 	EXPECT_GT(relative(of(0, 0, 1), of(1, 1, 0)), 0.1);
 }
 
+TEST(BendingMatrix, ForcesOfHeldPlacesCountButForThemselves) {
+	const PatchAssembly free = unequalPatches();
+	PatchAssembly held = free;
+	for (int place = 0; place < held.placeCount(); place += 3)
+		held.placeFixed[place] = 1;
+	const detail::Smoothness smoothness = {Eigen::VectorXd::Constant(2, 1e-3)};
+	const SparseMatrix bending =
+		detail::BendingMatrix(free).lower(Eigen::VectorXd::Zero(free.placeCount()), smoothness, 0.3);
+	Positions expected =
+		(bending.selfadjointView<Eigen::Lower>() * free.originalPositions.transpose()).transpose();
+	EXPECT_EQ(detail::BendingMatrix(free).force(free.originalPositions, smoothness, 0.3), expected);
+	for (int place = 0; place < held.placeCount(); place += 3)
+		expected.col(place).setZero();
+	EXPECT_EQ(detail::BendingMatrix(held).force(free.originalPositions, smoothness, 0.3), expected);
+}
+
 } // namespace
 } // namespace developable::test

@@ -26,5 +26,46 @@ TEST(Prolongation, KeepsAffineDisplacements) {
 	EXPECT_LT((carried - affine).cwiseAbs().maxCoeff(), 1e-4);
 }
 
+/// A sheet with waves of so many along u and v, of this height.
+PatchAssembly rippled(double waves, double height) {
+	return assembled(jitteredGrid(41, 41, [=](double u, double v) {
+		return Eigen::Vector3d(
+			u, v, height * std::sin(2 * pi * waves * u + 0.3) * std::sin(2 * pi * waves * v + 0.7));
+	}));
+}
+
+/// The share of a shape's heights that is left where a coarse level of 400 places smooths it.
+double shareLeft(const PatchAssembly& fine) {
+	const PartialAssembly coarse = detail::Coarsening(fine, {}).coarsen(400);
+	detail::BendingMatrix bending(fine);
+	const detail::Prolongation prolongation(fine, coarse, bending, {});
+	const Positions smooth = fine.originalPositions + prolongation.smoothing(fine.originalPositions);
+	return smooth.row(2).norm() / fine.originalPositions.row(2).norm();
+}
+
+TEST(Prolongation, SmoothsWavesThatTheCoarseLevelDoesNotHave) {
+	EXPECT_GT(shareLeft(rippled(0.5, 0.1)), 0.97);
+	EXPECT_LT(shareLeft(rippled(8, 0.005)), 0.4);
+}
+
+TEST(Prolongation, SmoothsNothingOfWhatIsFlatAndNothingThatIsHeldStill) {
+	PatchAssembly fine = assembled(jitteredGrid(31, 31, flatSheet));
+	for (int place = 0; place < fine.placeCount(); ++place)
+		fine.placeFixed[place] = fine.originalPositions(0, place) < 0.4;
+	const PartialAssembly coarse = detail::Coarsening(fine, {}).coarsen(300);
+	detail::BendingMatrix bending(fine);
+	const detail::Prolongation prolongation(fine, coarse, bending, {});
+	EXPECT_LT(prolongation.smoothing(fine.originalPositions).cwiseAbs().maxCoeff(), 1e-9);
+	Positions rippled = fine.originalPositions;
+	for (int place = 0; place < fine.placeCount(); ++place)
+		rippled(2, place) = 0.01 * std::sin(50 * rippled(0, place)) * std::sin(50 * rippled(1, place));
+	const Positions smoothing = prolongation.smoothing(rippled);
+	EXPECT_GT(smoothing.cwiseAbs().maxCoeff(), 5e-3);
+	for (int place = 0; place < fine.placeCount(); ++place)
+		if (fine.placeFixed[place]) {
+			EXPECT_EQ(smoothing.col(place).norm(), 0);
+		}
+}
+
 } // namespace
 } // namespace developable::test

@@ -49,6 +49,20 @@ SparseMatrix BendingMatrix::lower(const Eigen::VectorXd& masses, const Smoothnes
 	return result;
 }
 
+Positions BendingMatrix::force(const Positions& positions, const Smoothness& smoothness, double rods) {
+	if (!holdsPlaces(assembly_)) {
+		const SparseMatrix bending = lower(Eigen::VectorXd::Zero(assembly_.placeCount()), smoothness, rods);
+		return (bending.selfadjointView<Eigen::Lower>() * positions.transpose()).transpose();
+	}
+	PatchAssembly free = assembly_;
+	free.placeFixed.assign(free.placeCount(), 0);
+	Positions result = BendingMatrix(free).force(positions, smoothness, rods);
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		if (assembly_.placeFixed[place])
+			result.col(place).setZero();
+	return result;
+}
+
 /// Weights that are a multiple of those with α = 1 in every patch, as most are, take no more than that
 /// multiple of what was found once.
 SparseMatrix BendingMatrix::plates(const Smoothness& smoothness) {

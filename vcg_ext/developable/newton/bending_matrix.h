@@ -39,6 +39,9 @@ public:
 	/// \param rods    β / (α + φ); 0: no rods
 	SparseMatrix lower(const Eigen::VectorXd& masses, const Smoothness& smoothness, double rods);
 
+	/// B x, B being what of it is bending, of places held still, too; 0 at those themselves.
+	Positions force(const Positions& positions, const Smoothness& smoothness, double rods);
+
 private:
 	using Entry = Eigen::Triplet<double>;
 

@@ -89,16 +89,8 @@ double BendingMetric::squaredNorm(const Positions& displacement) const {
 	return displacement.cwiseProduct(apply(displacement)).sum();
 }
 
-Positions BendingMetric::bendingForce(const Positions& positions, const Smoothness& smoothness) const {
-	PatchAssembly free = assembly_;
-	free.placeFixed.assign(free.placeCount(), 0);
-	const SparseMatrix bending = BendingMatrix(free).lower(Eigen::VectorXd::Zero(free.placeCount()),
-														   smoothness, tuning_.borderStiffness);
-	Positions force = (bending.selfadjointView<Eigen::Lower>() * positions.transpose()).transpose();
-	for (int place = 0; place < free.placeCount(); ++place)
-		if (assembly_.placeFixed[place])
-			force.col(place).setZero();
-	return force;
+Positions BendingMetric::bendingForce(const Positions& positions, const Smoothness& smoothness) {
+	return bending_.force(positions, smoothness, tuning_.borderStiffness);
 }
 
 void BendingMetric::addSpring(int i, int j, double stiffness) {

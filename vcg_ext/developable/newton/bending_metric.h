@@ -64,8 +64,8 @@ public:
 
 	double squaredNorm(const Positions& displacement) const;
 
-	/// B x, B being what of W is bending, of places held still, too; 0 at those themselves.
-	Positions bendingForce(const Positions& positions, const Smoothness& smoothness) const;
+	/// See BendingMatrix::force.
+	Positions bendingForce(const Positions& positions, const Smoothness& smoothness);
 
 private:
 	/// Adds stiffness · |d_i − d_j|² for two places of a triangle, of which held ones have d = 0. The matrix

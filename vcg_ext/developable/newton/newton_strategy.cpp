@@ -7,10 +7,7 @@
 #include "fair_descent.h"
 #include "fair_shape.h"
 #include "normal_steps.h"
-#include "pull_back.h"
 #include "refinement.h"
-#include "restoration_within_bound.h"
-#include "return_within_bound.h"
 #include "shortest_steps.h"
 
 #include <chrono>
@@ -24,21 +21,6 @@ constexpr double growth = 1.2; ///< time goes with this power of the number of p
 /// How many a coarser level is to have.
 int coarserPlaces(int places, const NewtonTuning& tuning) {
 	return std::max(tuning.coarsest, static_cast<int>(places / tuning.levelRatio));
-}
-
-/// The whole displacement, or as much of it as leaves the triangles in order and moves no place too far.
-Positions soundStart(const NewtonProblem& problem, const Positions& displacement) {
-	const Positions& original = problem.assembly().originalPositions;
-	const double margin = 1 - 1e-12;
-	const double farthest = displacement.colwise().norm().maxCoeff();
-	double share = farthest > problem.goal().farthest ? margin * problem.goal().farthest / farthest : 1;
-	for (int halving = 0; halving < 10; ++halving, share /= 2) {
-		Positions start = original + share * displacement;
-		if (farthestMove(problem.assembly(), start) <= problem.goal().farthest &&
-			problem.soundness().holds(start))
-			return start;
-	}
-	return original;
 }
 
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
@@ -65,39 +47,6 @@ std::string announce(const PatchAssembly& assembly, double seconds) {
 	if (seconds < 100)
 		return size + ", about " + std::to_string(std::lround(seconds)) + " s: ";
 	return size + ", about " + std::to_string(std::lround(seconds / 60)) + " min: ";
-}
-
-/// From a start within the preferred bound, as a coarser level found it: steps along the normals that keep it
-/// leave little curvature, which a restoration removes. \return Reached; Stopped; else the run is where it
-/// began
-Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
-	if (run.shape().farthest > problem.preferredMove())
-		return Ending::Stuck;
-	Ending ending = NormalSteps(problem, run, problem.preferredMove()).run();
-	const bool near = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
-	if (ending == Ending::Stuck && near && problem.assembly().placeCount() <= problem.tuning().returnPlaces) {
-		problem.forgetNormalSystem();
-		GaussNewton steps(problem, run, true, problem.goal().farthest);
-		ending = steps.unsolvable() ? Ending::Unsolvable
-									: restoreWithin(problem, run, steps, problem.preferredMove());
-		if (ending == Ending::Reached)
-			ending = withinPreferred(problem, run, steps);
-	}
-	if (ending != Ending::Reached && ending != Ending::Stopped)
-		run.restart();
-	return ending;
-}
-
-/// The same from a developable shape; the systems of rounds are factorised only where there will be any.
-Ending returnWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
-	const Ending pulledBack = pullBackWithinPreferred(problem, run);
-	if (pulledBack != Ending::Stuck)
-		return pulledBack;
-	if (!mayReturnToPreferred(problem, run.shape()))
-		return Ending::Reached;
-	problem.forgetNormalSystem();
-	GaussNewton steps(problem, run, true, problem.goal().farthest);
-	return steps.unsolvable() ? Ending::Reached : returnToPreferred(problem, run, steps);
 }
 
 } // namespace
@@ -225,10 +174,15 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	}
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 	const std::string announcement = announce(assembly, taken.count() * std::pow(sizes, growth));
-	const Positions displacement =
-		refinement.prolonged(coarseOutcome.positions - coarseLevel.reference().originalPositions);
-	return refine(level, refinement.problem(), displacement, coarseOutcome,
-				  partOf(progress, coarseEnd, 1, announcement));
+	const bool developable = coarseOutcome.ending == Ending::Reached;
+	CoarseShape shape = {developable, farthestMove(coarse.assembly, coarseOutcome.positions), {}, {}};
+	const Positions& reference = level.reference().originalPositions;
+	if (places <= tuning_.returnPlaces)
+		shape.smoothing = refinement.smoothing(reference);
+	shape.displacement =
+		refinement.prolonged(coarseOutcome.positions - coarseLevel.reference().originalPositions) +
+		reference - assembly.originalPositions;
+	return refine(refinement.problem(), shape, coarseOutcome, partOf(progress, coarseEnd, 1, announcement));
 }
 
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
@@ -266,23 +220,12 @@ void NewtonStrategy::goOnToLeastSquares(NewtonProblem& problem, const Positions&
 		outcome.ending = ending;
 }
 
-/// \param displacement  of the places, from the coarser level
-NewtonOutcome NewtonStrategy::refine(const Level& level, NewtonProblem& problem,
-									 const Positions& displacement, const NewtonOutcome& coarse,
-									 const Progress& progress) const {
-	const PatchAssembly& assembly = level.assembly;
-	const Positions moved = level.reference().originalPositions + displacement - assembly.originalPositions;
-	NewtonRun run(problem, soundStart(problem, moved), maxIterations_, progress);
-	const bool solved = coarse.ending == Ending::Reached;
-	Ending ending = solved ? refineWithinPreferred(problem, run) : Ending::Stuck;
-	if (ending != Ending::Reached && ending != Ending::Stopped) {
-		ending = stepsWithin(problem, run, problem.goal().farthest, solved ? 2 : 1);
-		if (ending == Ending::Reached)
-			ending = returnWithinPreferred(problem, run);
-	}
-	NewtonOutcome outcome{ending, run.iterations(), run.nearest(), coarse.nearestDevelopable,
-						  coarse.bordersLimited};
-	if (ending != Ending::Stuck || !solved)
+NewtonOutcome NewtonStrategy::refine(NewtonProblem& problem, const CoarseShape& shape,
+									 const NewtonOutcome& coarse, const Progress& progress) const {
+	NewtonOutcome outcome = solveFine(problem, shape, maxIterations_, progress);
+	outcome.nearestDevelopable = coarse.nearestDevelopable;
+	outcome.bordersLimited = coarse.bordersLimited;
+	if (outcome.ending != Ending::Stuck || !shape.developable)
 		return outcome;
 	problem.forgetNormalSystem();
 	const AttemptResult restored =

@@ -3,7 +3,7 @@
 // left out.
 #pragma once
 
-#include "attempts.h"
+#include "fine_level.h"
 #include "unfairness.h"
 
 #include <optional>
@@ -58,8 +58,9 @@ private:
 	/// \param outcome  becomes what comes of it, where that is less curved
 	void goOnToLeastSquares(NewtonProblem& problem, const Positions& from, int steps, NewtonOutcome& outcome,
 							const Progress& progress) const;
-	NewtonOutcome refine(const Level& level, NewtonProblem& problem, const Positions& displacement,
-						 const NewtonOutcome& coarse, const Progress& progress) const;
+	/// \param coarse  the outcome of the coarser level that the shape is from
+	NewtonOutcome refine(NewtonProblem& problem, const CoarseShape& shape, const NewtonOutcome& coarse,
+						 const Progress& progress) const;
 
 	double smoothness_, shapeSmoothness_; // α, φ
 	CurvatureGoal goal_;

@@ -124,6 +124,7 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"returnPlaces", &NewtonTuning::returnPlaces},
 		{"preferredPrice", &NewtonTuning::preferredPrice},
 		{"preferredReach", &NewtonTuning::preferredReach},
+		{"goOnBeyond", &NewtonTuning::goOnBeyond},
 		{"pullBackReach", &NewtonTuning::pullBackReach},
 		{"pullBackShare", &NewtonTuning::pullBackShare},
 		{"pullBackRounds", &NewtonTuning::pullBackRounds},

@@ -117,13 +117,14 @@ struct NewtonTuning {
 	int boundRounds = 5;        ///< of pulling back and restoring
 	double returnReach = 3;     ///< of the bound: shapes farther away are given up
 	double preferredMove = 0.02;  ///< share of the diagonal: less far is a bound that is kept if that is easy
-	int returnPlaces = 6000;      ///< more: the way to within the preferred move is left to a coarser level
+	int returnPlaces = 7000;      ///< more: the way to within the preferred move is left to a coarser level
 	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
 	double preferredReach = 3;    ///< of it: shapes farther away are taken as they are
 	double pullBackReach = 1.6;   ///< of a bound: from farther away places are not pulled back
 	double pullBackShare = 0.7;   ///< of the displacement, at the second try
 	int pullBackRounds = 4;       ///< a try, each with more heavy places
 	int pullBackSteps = 200;      ///< a try
+	double goOnBeyond = 0.01;     ///< share of C at the start from which steps within it go on beyond it
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
 	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
 

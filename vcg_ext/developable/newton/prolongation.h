@@ -14,7 +14,7 @@ namespace developable::detail {
 /// system does not depend on the coarse displacement, and can be factorised before that is known.
 class Prolongation {
 public:
-	/// \param bending      of the fine assembly
+	/// \param bending      of the fine assembly; kept as a reference
 	/// \param placeOrder   see eliminationOrder; empty: found here
 	/// \param memoryLimit  see SparseSolver
 	Prolongation(const PatchAssembly& fine, const PartialAssembly& coarse, BendingMatrix& bending,
@@ -23,7 +23,14 @@ public:
 	/// \return 3 x fine places
 	Positions of(const Positions& coarseDisplacement) const;
 
+	/// The displacement, nearest to none in the same sense, after which the surface has no waves of that kind
+	/// either: its own curvature on a scale that the coarse assembly does not have.
+	/// \param positions  3 x fine places
+	Positions smoothing(const Positions& positions) const;
+
 private:
+	BendingMatrix& bending_;
+	const Smoothness smoothness_;
 	const std::vector<int> placeOfCoarse_;
 	const Eigen::VectorXd coarseMasses_;
 	const Eigen::Index places_; ///< of the fine assembly

@@ -13,7 +13,7 @@ Refinement::Refinement(const PatchAssembly& fine, const PartialAssembly& coarse,
 
 void Refinement::prepareBeside(const std::function<void()>& solveCoarse) {
 	TaskAhead preparation([&](const Progress&) {
-		makeProlongation();
+		prolongation();
 		problem().prepareNormalSystem();
 	});
 	if (threadsAtHand() > 1)
@@ -23,12 +23,23 @@ void Refinement::prepareBeside(const std::function<void()>& solveCoarse) {
 		preparation.finish({});
 }
 
+Positions Refinement::smoothing(const Positions& positions) {
+	return prolongation().smoothing(positions);
+}
+
 Positions Refinement::prolonged(const Positions& coarseDisplacement) {
-	if (!prolongation_)
-		makeProlongation();
-	Positions result = prolongation_->of(coarseDisplacement);
+	Positions result = prolongation().of(coarseDisplacement);
 	prolongation_.reset();
 	return result;
+}
+
+const Prolongation& Refinement::prolongation() {
+	if (!prolongation_) {
+		BendingMetric& metric = problem().metric();
+		prolongation_.emplace(fine_, coarse_, metric.bending(), tuning_, metric.eliminationOrder(),
+							  memoryLimit_);
+	}
+	return *prolongation_;
 }
 
 NewtonProblem& Refinement::problem() {

@@ -23,17 +23,16 @@ public:
 	/// Runs what solves the coarse level, and makes the rest beside it.
 	void prepareBeside(const std::function<void()>& solveCoarse);
 
+	/// See Prolongation; to be called before `prolonged`.
+	Positions smoothing(const Positions& positions);
+
 	/// See Prolongation; to be called once, as its memory is given back.
 	Positions prolonged(const Positions& coarseDisplacement);
 
 	NewtonProblem& problem();
 
 private:
-	void makeProlongation() {
-		BendingMetric& metric = problem().metric();
-		prolongation_.emplace(fine_, coarse_, metric.bending(), tuning_, metric.eliminationOrder(),
-							  memoryLimit_);
-	}
+	const Prolongation& prolongation();
 
 	const PatchAssembly& fine_;
 	const PartialAssembly& coarse_;

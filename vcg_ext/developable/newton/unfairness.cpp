@@ -42,7 +42,7 @@ Unfairness::Unfairness(const PatchAssembly& original, double shapeSmoothness, co
 
 double Unfairness::at(const Positions& positions) const {
 	const PatchAssembly shape = movedTo(original_, positions);
-	const BendingMetric metric(shape, tuning_, memoryLimit_);
+	BendingMetric metric(shape, tuning_, memoryLimit_);
 	const Eigen::VectorXd squares = toOriginal(positions).colwise().squaredNorm();
 	const Smoothness smoothness = {Eigen::VectorXd::Zero(shape.patchCount()), shapeSmoothness_};
 	return squares.dot(metric.placeMass()) + fourthNorm(squares, metric.placeMass()) +
