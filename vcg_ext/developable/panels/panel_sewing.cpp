@@ -31,8 +31,7 @@ double preferredMove(const PatchAssembly& assembly, const std::vector<double>& l
 } // namespace
 
 bool PanelSewing::Asked::operator==(const Asked& other) const {
-	return std::tie(brief, panels, triangles, positions) ==
-		   std::tie(other.brief, other.panels, other.triangles, other.positions);
+	return std::tie(panels, triangles, positions) == std::tie(other.panels, other.triangles, other.positions);
 }
 
 PanelSewing::PanelSewing(const GivenPatches& given, const std::vector<double>& limits,
@@ -44,10 +43,9 @@ SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	const TriangleMesh mesh = meshAsCut(planned, given_.vertexTaken);
 	Asked asked{{mesh.positions.data(), mesh.positions.data() + mesh.positions.size()},
 				{mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size()},
-				planned.surface.panels(),
-				brief};
+				planned.surface.panels()};
 	for (const Seen& seen : seen_)
-		if (seen.asked == asked)
+		if (seen.asked == asked && serves(seen, brief))
 			return seen.sewn;
 	work_ += planned.mesh.triangleCount();
 	SewnPanels sewn = developSewnPanels(
@@ -57,7 +55,7 @@ SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 		return sewn;
 	if (seen_.size() == mostSeen)
 		seen_.pop_front();
-	seen_.push_back({std::move(asked), sewn});
+	seen_.push_back({std::move(asked), brief, sewn});
 	return sewn;
 }
 

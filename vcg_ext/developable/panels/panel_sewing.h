@@ -31,13 +31,17 @@ private:
 	struct Asked {
 		std::vector<double> positions;
 		std::vector<int> triangles, panels; // of the mesh as cut; per triangle of the surface
-		bool brief = false;
 		bool operator==(const Asked& other) const;
 	};
 	struct Seen {
 		Asked asked;
+		bool brief;
 		SewnPanels sewn;
 	};
+	/// Without a material, being brief makes a difference on coarse levels only.
+	bool serves(const Seen& seen, bool brief) const {
+		return seen.brief == brief || (!seen.sewn.coarse && !options_.material.bounds.any());
+	}
 	static constexpr std::size_t mostSeen = 8; // large surfaces take room
 
 	const GivenPatches& given_;
