@@ -12,10 +12,6 @@ namespace developable::detail {
 
 namespace {
 
-bool mayReturn(const NewtonProblem& problem) {
-	return problem.assembly().placeCount() <= problem.tuning().returnPlaces;
-}
-
 /// The whole displacement, or as much of it as leaves the triangles in order and moves no place too far.
 Positions soundStart(const NewtonProblem& problem, const Positions& displacement) {
 	const Positions& original = problem.assembly().originalPositions;
@@ -46,12 +42,13 @@ Shape sparedStart(const NewtonProblem& problem, const Positions& displacement) {
 }
 
 /// Where steps that keep the preferred bound begin; nothing where that is out of reach.
-std::optional<Positions> preferredStart(const NewtonProblem& problem, const CoarseShape& coarse) {
+/// \param start  where others begin
+std::optional<Positions> preferredStart(const NewtonProblem& problem, const CoarseShape& coarse,
+										const Positions& start) {
 	const double preferred = problem.preferredMove();
 	if (!coarse.developable)
 		return {};
-	if (!mayReturn(problem)) {
-		Positions start = soundStart(problem, coarse.displacement);
+	if (!isSmallEnoughToReturn(problem)) {
 		if (farthestMove(problem.assembly(), start) > preferred)
 			return {};
 		return start;
@@ -67,7 +64,7 @@ std::optional<Positions> preferredStart(const NewtonProblem& problem, const Coar
 Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 	const Ending ending = NormalSteps(problem, run, problem.preferredMove()).run();
 	const bool near = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
-	if (ending != Ending::Stuck || !near || !mayReturn(problem))
+	if (ending != Ending::Stuck || !near || !isSmallEnoughToReturn(problem))
 		return ending;
 	problem.forgetNormalSystem();
 	GaussNewton steps(problem, run, true, problem.goal().farthest);
@@ -100,9 +97,10 @@ Ending refineBeyondPreferred(NewtonProblem& problem, NewtonRun& run, int rounds)
 NewtonOutcome solveFine(NewtonProblem& problem, const CoarseShape& coarse, int maxIterations,
 						const Progress& progress) {
 	const int rounds = coarse.developable ? 2 : 1;
+	const Positions start = soundStart(problem, coarse.displacement);
 	int before = 0;
-	if (const std::optional<Positions> start = preferredStart(problem, coarse)) {
-		NewtonRun run(problem, *start, maxIterations, progress);
+	if (const std::optional<Positions> preferred = preferredStart(problem, coarse, start)) {
+		NewtonRun run(problem, *preferred, maxIterations, progress);
 		Ending ending = refineWithinPreferred(problem, run);
 		bool ended = ending == Ending::Reached || ending == Ending::Stopped;
 		if (!ended && run.shape().curvature < problem.tuning().goOnBeyond * run.startCurvature()) {
@@ -113,7 +111,7 @@ NewtonOutcome solveFine(NewtonProblem& problem, const CoarseShape& coarse, int m
 			return {ending, run.iterations(), run.nearest()};
 		before = run.iterations();
 	}
-	NewtonRun run(problem, soundStart(problem, coarse.displacement), maxIterations - before, progress);
+	NewtonRun run(problem, start, maxIterations - before, progress);
 	const Ending ending = refineBeyondPreferred(problem, run, rounds);
 	return {ending, before + run.iterations(), run.nearest()};
 }

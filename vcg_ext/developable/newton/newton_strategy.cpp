@@ -8,6 +8,7 @@
 #include "fair_shape.h"
 #include "normal_steps.h"
 #include "refinement.h"
+#include "return_within_bound.h"
 #include "shortest_steps.h"
 
 #include <chrono>
@@ -177,7 +178,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const bool developable = coarseOutcome.ending == Ending::Reached;
 	CoarseShape shape = {developable, farthestMove(coarse.assembly, coarseOutcome.positions), {}, {}};
 	const Positions& reference = level.reference().originalPositions;
-	if (places <= tuning_.returnPlaces)
+	if (isSmallEnoughToReturn(refinement.problem()))
 		shape.smoothing = refinement.smoothing(reference);
 	shape.displacement =
 		refinement.prolonged(coarseOutcome.positions - coarseLevel.reference().originalPositions) +

@@ -88,9 +88,13 @@ void ReturnWithinBound::makeFarPlacesHeavier() {
 	masses_ = masses;
 }
 
+bool isSmallEnoughToReturn(const NewtonProblem& problem) {
+	return problem.assembly().placeCount() <= problem.tuning().returnPlaces;
+}
+
 bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape) {
 	return shape.farthest <= problem.tuning().preferredReach * problem.preferredMove() &&
-		   problem.assembly().placeCount() <= problem.tuning().returnPlaces;
+		   isSmallEnoughToReturn(problem);
 }
 
 Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {

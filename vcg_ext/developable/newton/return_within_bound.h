@@ -44,6 +44,9 @@ private:
 	Shape found_;
 };
 
+/// Whether a part is small enough for ways back to within the preferred move, which are dear.
+bool isSmallEnoughToReturn(const NewtonProblem& problem);
+
 /// Whether a developable shape with a place that moves farther than it had better is near enough, and the
 /// part small enough, for rounds on the way back.
 bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape);
