@@ -26,6 +26,7 @@ struct Rippled {
 				 prolongation.of(solved - coarse.assembly.originalPositions),
 				 prolongation.smoothing(fine.originalPositions)};
 		problem.jacobian().freeBorders(true);
+		problem.budget().spend(1000 * fine.placeCount()); // on the coarse level
 	}
 
 	detail::NewtonOutcome solve(int maxIterations = 200) {

@@ -8,9 +8,9 @@
 
 namespace developable::test {
 
-/// With the defaults of everything.
-inline detail::NewtonProblem problemOf(const PatchAssembly& assembly) {
-	detail::NewtonProblem problem(assembly, {1e-4, 1e-4}, {}, 0);
+/// With the defaults of everything else.
+inline detail::NewtonProblem problemOf(const PatchAssembly& assembly, const NewtonTuning& tuning = {}) {
+	detail::NewtonProblem problem(assembly, {1e-4, 1e-4}, tuning, 0);
 	problem.setSmoothness(3e-6);
 	return problem;
 }

@@ -2,6 +2,7 @@
 #include "developable/newton/return_within_bound.h"
 
 #include "developable/newton/continuation.h"
+#include "developable/newton/pull_back.h"
 #include "developable/newton/restoration.h"
 #include "newton_problems.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 /// A developable shape near a steep bump, with places far away, and what goes on from it.
 struct FarAway {
-	explicit FarAway(const PatchAssembly& bump, double share)
-		: assembly(bump), problem(problemOf(bump)), run(problem, bump.originalPositions, 200, silent),
+	FarAway(const PatchAssembly& bump, double share, const NewtonTuning& tuning = {})
+		: assembly(bump), problem(problemOf(bump, tuning)), run(problem, bump.originalPositions, 200, silent),
 		  steps(problem, run, false) {
 		goThere();
 		bound = share * run.shape().farthest;
@@ -66,6 +67,48 @@ TEST(ReturnWithinBound, DoesNotBeginFromMuchTooFar) {
 			  detail::Ending::Stuck);
 	EXPECT_EQ(far.run.iterations(), steps);
 	EXPECT_EQ(far.run.shape().positions, before.positions);
+}
+
+/// Preferred is such a share of how far a developable shape moves a place.
+NewtonTuning preferring(const PatchAssembly& assembly, double share) {
+	FarAway far(assembly, share);
+	NewtonTuning tuning;
+	tuning.preferredMove = far.bound / far.problem.diagonal();
+	tuning.preferredPrice = 2;
+	return tuning;
+}
+
+TEST(ReturnWithinBound, IsNotTriedForWhatIsPreferredWhereMuchCurvatureWouldComeBack) {
+	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, wave));
+	for (const double share : {0.95, 0.5}) {
+		FarAway far(assembly, share, preferring(assembly, share));
+		const detail::Shape before = far.run.shape();
+		const int steps = far.run.iterations();
+		EXPECT_EQ(mayBePreferred(far.problem, before), share > 0.9) << share;
+		EXPECT_EQ(withinPreferred(far.problem, far.run, far.steps), detail::Ending::Reached);
+		if (share > 0.9) {
+			EXPECT_LE(far.run.shape().farthest, far.problem.preferredMove());
+			continue;
+		}
+		EXPECT_EQ(far.run.iterations(), steps);
+		EXPECT_EQ(far.run.shape().positions, before.positions);
+	}
+}
+
+TEST(ReturnWithinBound, EndsForWhatIsPreferredWhenItHasTakenSoManyTimesTheRest) {
+	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, steepBump));
+	NewtonTuning tuning = preferring(assembly, 0.85);
+	tuning.preferredCurvature = 1;
+	tuning.pullBackReach = 1; // rounds only
+	for (const double times : {0.01, 100.0}) {
+		tuning.preferredWork = times;
+		FarAway far(assembly, 0.85, tuning);
+		const detail::Shape before = far.run.shape();
+		EXPECT_EQ(withinPreferred(far.problem, far.run, far.steps), detail::Ending::Reached);
+		EXPECT_EQ(far.run.shape().farthest <= far.problem.preferredMove(), times > 1) << times;
+		EXPECT_EQ(far.run.shape().positions == before.positions, times < 1) << times;
+		EXPECT_TRUE(far.run.shape().reached);
+	}
 }
 
 } // namespace

@@ -40,5 +40,62 @@ TEST(WorkBudget, WithoutLimitIsNeverSpent) {
 	EXPECT_FALSE(budget.spent());
 }
 
+TEST(WorkBudget, AllowsSoManyTimesTheRestForWhatIsOnlyPreferred) {
+	detail::WorkBudget budget;
+	budget.spend(10);
+	{
+		const detail::ExtraWork extra(budget, 2);
+		budget.spend(19);
+		EXPECT_FALSE(budget.spent());
+		budget.spend(2);
+		EXPECT_TRUE(budget.spent());
+	}
+	EXPECT_FALSE(budget.spent());
+	EXPECT_TRUE((detail::ExtraWork(budget, 2), budget.spent())); // none is left
+	budget.spend(5);
+	const detail::ExtraWork extra(budget, 2);
+	EXPECT_FALSE(budget.spent());
+	budget.spend(9);
+	EXPECT_TRUE(budget.spent());
+}
+
+TEST(WorkBudget, CountsExtraWorkOnceThatIsWithinOther) {
+	detail::WorkBudget budget;
+	budget.spend(10);
+	{
+		const detail::ExtraWork outer(budget, 2);
+		const detail::ExtraWork inner(budget, 100);
+		budget.spend(15);
+		EXPECT_FALSE(budget.spent());
+		budget.spend(5);
+		EXPECT_TRUE(budget.spent());
+	}
+	budget.spend(1);
+	const detail::ExtraWork extra(budget, 2);
+	budget.spend(1);
+	EXPECT_FALSE(budget.spent());
+	budget.spend(1);
+	EXPECT_TRUE(budget.spent());
+}
+
+TEST(WorkBudget, MeasuresExtraWorkByWhatWasSpentSinceItsBegin) {
+	detail::WorkBudget budget;
+	budget.spend(1000);
+	const detail::WorkBudget begin = budget;
+	detail::WorkBudget other; // as on another thread
+	other.spend(10);
+	{
+		const detail::ExtraWork extra(other, 2);
+		other.spend(10);
+	}
+	budget.spend(other);
+	EXPECT_EQ(budget.used(), 1020);
+	const detail::ExtraWork extra(budget, 2, begin);
+	budget.spend(9);
+	EXPECT_FALSE(budget.spent());
+	budget.spend(1);
+	EXPECT_TRUE(budget.spent());
+}
+
 } // namespace
 } // namespace developable::test

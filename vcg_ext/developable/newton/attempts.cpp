@@ -35,7 +35,7 @@ public:
 						  (setting.stiffens == setting_.stiffens &&
 						   result_.iterations < setting.maxIterations && budget_->used() < budget.left());
 		if (same)
-			budget.spend(budget_->used());
+			budget.spend(*budget_);
 		return same;
 	}
 	const AttemptResult& result() const { return result_; }

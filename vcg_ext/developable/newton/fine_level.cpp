@@ -66,6 +66,7 @@ Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 	const bool near = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
 	if (ending != Ending::Stuck || !near || !isSmallEnoughToReturn(problem))
 		return ending;
+	const ExtraWork extra = workWithinPreferred(problem);
 	problem.forgetNormalSystem();
 	GaussNewton steps(problem, run, true, problem.goal().farthest);
 	if (steps.unsolvable())
@@ -76,6 +77,7 @@ Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 
 /// From a developable shape; the systems of rounds are factorised only where there will be any.
 Ending returnWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
+	const ExtraWork extra = workWithinPreferred(problem);
 	const Ending pulledBack = pullBackWithinPreferred(problem, run);
 	if (pulledBack != Ending::Stuck)
 		return pulledBack;

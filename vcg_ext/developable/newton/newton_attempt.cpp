@@ -60,11 +60,12 @@ Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 
 /// A developable shape that is farther away than places may go is none that was looked for, but there may be
 /// one near it that is.
+/// \param begin    of the attempt
 /// \param nearest  becomes how far the nearest developable shape moves a place, where that is too far
 Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussNewton& steps,
-				   double& nearest) {
+				   const WorkBudget& begin, double& nearest) {
 	if (!run.farOff())
-		return ending == Ending::Reached ? withinPreferred(problem, run, steps) : ending;
+		return ending == Ending::Reached ? withinPreferred(problem, run, steps, begin) : ending;
 	ReturnWithinBound way(problem, run, steps, problem.goal().farthest);
 	Ending ofReturn = way.run();
 	if (ofReturn != Ending::Reached && ofReturn != Ending::Stopped)
@@ -80,6 +81,7 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 
 AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
 					  const Progress& progress) {
+	const WorkBudget begin = problem.budget();
 	problem.setSmoothness(setting.smoothness);
 	problem.jacobian().freeBorders(!setting.limitsBorders);
 	NewtonRun run(problem, withoutSymmetry(problem, start), setting.maxIterations, progress);
@@ -89,7 +91,7 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	if (!steps.unsolvable()) {
 		result.ending = approach(problem, run, steps);
 		result.cameNear = cameNear(problem, run);
-		result.ending = withinBound(result.ending, problem, run, steps, result.nearestDevelopable);
+		result.ending = withinBound(result.ending, problem, run, steps, begin, result.nearestDevelopable);
 	}
 	result.metLimits = steps.metLimits();
 	result.bordersLimited = !problem.jacobian().bordersFree();

@@ -124,6 +124,8 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"returnPlaces", &NewtonTuning::returnPlaces},
 		{"preferredPrice", &NewtonTuning::preferredPrice},
 		{"preferredReach", &NewtonTuning::preferredReach},
+		{"preferredCurvature", &NewtonTuning::preferredCurvature},
+		{"preferredWork", &NewtonTuning::preferredWork},
 		{"goOnBeyond", &NewtonTuning::goOnBeyond},
 		{"pullBackReach", &NewtonTuning::pullBackReach},
 		{"pullBackShare", &NewtonTuning::pullBackShare},

@@ -120,11 +120,13 @@ struct NewtonTuning {
 	int returnPlaces = 7000;      ///< more: the way to within the preferred move is left to a coarser level
 	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
 	double preferredReach = 3;    ///< of it: shapes farther away are taken as they are
-	double pullBackReach = 1.6;   ///< of a bound: from farther away places are not pulled back
-	double pullBackShare = 0.7;   ///< of the displacement, at the second try
-	int pullBackRounds = 4;       ///< a try, each with more heavy places
-	int pullBackSteps = 200;      ///< a try
-	double goOnBeyond = 0.01;     ///< share of C at the start from which steps within it go on beyond it
+	double preferredCurvature = 0.15; ///< of the original, a share: more of it back within the move, likewise
+	double preferredWork = 6;   ///< times the rest: on ways back, on larger levels than returnPlaces less
+	double pullBackReach = 1.6; ///< of a bound: from farther away places are not pulled back
+	double pullBackShare = 0.7; ///< of the displacement, at the second try
+	int pullBackRounds = 4;     ///< a try, each with more heavy places
+	int pullBackSteps = 200;    ///< a try
+	double goOnBeyond = 0.01;   ///< share of C at the start from which steps within it go on beyond it
 	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
 	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
 

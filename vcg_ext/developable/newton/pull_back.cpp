@@ -64,10 +64,30 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 	return Ending::Stuck;
 }
 
+ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin) {
+	const NewtonTuning& tuning = problem.tuning();
+	const double size = double(problem.assembly().placeCount()) / tuning.returnPlaces;
+	return {problem.budget(), tuning.preferredWork / std::max(1.0, size), begin};
+}
+
+bool mayBePreferred(const NewtonProblem& problem, const Shape& shape) {
+	const NewtonTuning& tuning = problem.tuning();
+	const double bound = problem.preferredMove();
+	if (shape.farthest > tuning.preferredReach * bound)
+		return false;
+	const Positions& original = problem.assembly().originalPositions;
+	Positions move = shape.positions - original;
+	pullBack(original, original, move, bound);
+	return problem.shapeAt(original + move).curvature <=
+		   tuning.preferredCurvature * problem.shapeAt(original).curvature;
+}
+
 Ending pullBackWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 	const Shape found = run.shape();
 	if (found.farthest <= problem.preferredMove())
 		return Ending::Reached;
+	if (!mayBePreferred(problem, found))
+		return Ending::Stuck;
 	const Ending ending = pullBackWithin(problem, run, problem.preferredMove());
 	if (ending != Ending::Reached || problem.hardlyFarther(run.shape(), found))
 		return ending;

@@ -23,7 +23,18 @@ Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rou
 /// \return       Reached; Stuck, with the shape as it was; Stopped
 Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound);
 
-/// The same for how far a place had better move at most, where the mean displacement hardly grows by it.
+/// While it lasts, what is done on ways back to within how far a place had better move may take so many times
+/// the rest; on large levels no longer than on the largest of those with rounds.
+/// \param begin  of the rest
+ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin = WorkBudget());
+
+/// Whether a way from a developable shape back to within how far a place had better move is worth its while:
+/// where much of the original's curvature comes back with the places beyond it, it is none of a few places,
+/// and nothing developable is that near.
+bool mayBePreferred(const NewtonProblem& problem, const Shape& shape);
+
+/// The same as pullBackWithin for how far a place had better move at most, where the mean displacement hardly
+/// grows by it.
 Ending pullBackWithinPreferred(NewtonProblem& problem, NewtonRun& run);
 
 } // namespace developable::detail

@@ -93,8 +93,7 @@ bool isSmallEnoughToReturn(const NewtonProblem& problem) {
 }
 
 bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape) {
-	return shape.farthest <= problem.tuning().preferredReach * problem.preferredMove() &&
-		   isSmallEnoughToReturn(problem);
+	return isSmallEnoughToReturn(problem) && mayBePreferred(problem, shape);
 }
 
 Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
@@ -103,7 +102,7 @@ Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& st
 	Ending ending = ReturnWithinBound(problem, run, steps, preferred).run();
 	if (ending == Ending::Stopped)
 		return ending;
-	if (ending != Ending::Reached)
+	if (ending != Ending::Reached && run.shape().farthest < found.farthest)
 		ending = pullBackWithin(problem, run, preferred);
 	if (ending == Ending::Stopped)
 		return ending;
@@ -112,7 +111,8 @@ Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& st
 	return Ending::Reached;
 }
 
-Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
+Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, const WorkBudget& begin) {
+	const ExtraWork extra = workWithinPreferred(problem, begin);
 	const Ending pulledBack = pullBackWithinPreferred(problem, run);
 	if (pulledBack != Ending::Stuck)
 		return pulledBack;

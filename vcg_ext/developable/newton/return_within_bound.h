@@ -54,7 +54,10 @@ bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape);
 /// Those rounds. \return Reached, with the shape as it was where that leads nowhere; Stopped
 Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
 
-/// Pulls such a shape back; where that leads nowhere, goes rounds if it may. \return the same
-Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
+/// Pulls such a shape back; where that leads nowhere, goes rounds if it may.
+/// \param begin  of what the work on this way is measured by, see ExtraWork
+/// \return       the same
+Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps,
+					   const WorkBudget& begin = WorkBudget());
 
 } // namespace developable::detail

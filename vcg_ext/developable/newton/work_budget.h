@@ -17,15 +17,23 @@ public:
 	/// As much as such a factorisation takes.
 	/// \param operations  multiplications and additions, see SparseCholesky
 	void spendOperations(double operations) { used_ += operations / operationsPerUnit; }
-	bool spent() const { return used_ + reserved_ >= units_; }
+	/// What has been spent of another.
+	void spend(const WorkBudget& other) {
+		used_ += other.used_;
+		extra_ += other.extra_;
+	}
+	bool spent() const { return used_ + reserved_ >= units_ || used_ >= extraEnd_; }
 	double used() const { return used_; }
 	double left() const { return units_ - used_ - reserved_; }
 
 private:
 	friend class WorkReserve;
+	friend class ExtraWork;
 	static constexpr double operationsPerUnit = 3500; ///< in dense blocks
 
 	double units_, used_ = 0, reserved_ = 0;
+	double extra_ = 0; ///< of what is used
+	double extraEnd_ = std::numeric_limits<double>::infinity();
 };
 
 /// While it lasts, a share of what is left is kept for what comes after.
@@ -42,6 +50,29 @@ public:
 private:
 	WorkBudget& budget_;
 	const double before_;
+};
+
+/// What is spent while it lasts is extra, for what is only preferred. All that is extra may be so many times
+/// the rest; where it is, the budget is spent until this ends.
+class ExtraWork {
+public:
+	/// \param times  the rest
+	/// \param begin  the budget as it was where the rest begins
+	ExtraWork(WorkBudget& budget, double times, const WorkBudget& begin = WorkBudget())
+		: budget_(budget), before_(budget.used_), extraBefore_(budget.extra_), endBefore_(budget.extraEnd_) {
+		const double extra = budget.extra_ - begin.extra_, rest = budget.used_ - begin.used_ - extra;
+		budget.extraEnd_ = std::min(endBefore_, before_ + times * rest - extra);
+	}
+	~ExtraWork() {
+		budget_.extra_ = extraBefore_ + budget_.used_ - before_;
+		budget_.extraEnd_ = endBefore_;
+	}
+	ExtraWork(const ExtraWork&) = delete;
+	ExtraWork& operator=(const ExtraWork&) = delete;
+
+private:
+	WorkBudget& budget_;
+	const double before_, extraBefore_, endBefore_;
 };
 
 } // namespace developable::detail
