@@ -25,6 +25,25 @@ TEST(Restoration, ReachesTheGoalFromNearby) {
 	expectSound(assembly, run.shape().positions);
 }
 
+TEST(Restoration, FactorisesFewerSystemsWithChords) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, steepBump));
+	const auto restored = [&](int chords) {
+		NewtonTuning tuning;
+		tuning.slowSystem = tuning.slowStiffSystem = 1; // all but the first are factorised
+		tuning.restorationChords = chords;
+		detail::NewtonProblem problem = problemOf(assembly, tuning);
+		problem.jacobian().freeBorders(true);
+		const Progress silent;
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		detail::GaussNewton steps(problem, run, true);
+		EXPECT_EQ(detail::Restoration(problem, run, steps, 1e-3 * steps.greatestResponse()).restore(),
+				  detail::Ending::Reached);
+		expectSound(assembly, run.shape().positions);
+		return run.iterations();
+	};
+	EXPECT_LT(restored(6), restored(1));
+}
+
 /// Angle defects among triangles that had to be made very stiff hardly respond any more.
 TEST(Restoration, ReachesTheGoalWhereStiffTrianglesHoldItUp) {
 	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, bumpedCylinder));

@@ -47,16 +47,33 @@ TEST(WorkBudget, AllowsSoManyTimesTheRestForWhatIsOnlyPreferred) {
 		const detail::ExtraWork extra(budget, 2);
 		budget.spend(19);
 		EXPECT_FALSE(budget.spent());
-		budget.spend(2);
+		budget.spendOperations(1e6);
 		EXPECT_TRUE(budget.spent());
+		EXPECT_TRUE(budget.extraSpent());
 	}
 	EXPECT_FALSE(budget.spent());
+	EXPECT_EQ(budget.usedForTheRest(), 10);
 	EXPECT_TRUE((detail::ExtraWork(budget, 2), budget.spent())); // none is left
-	budget.spend(5);
+	budget.spend(budget.extraUsed() / 2);
 	const detail::ExtraWork extra(budget, 2);
+	budget.spend(19);
 	EXPECT_FALSE(budget.spent());
-	budget.spend(9);
+	budget.spend(2);
 	EXPECT_TRUE(budget.spent());
+}
+
+TEST(WorkBudget, HasNoMoreExtraWorkThanItIsGiven) {
+	detail::WorkBudget budget(1000, 30);
+	budget.spend(100);
+	{
+		const detail::ExtraWork extra(budget, 2);
+		budget.spend(20);
+		EXPECT_FALSE(budget.spent());
+		budget.spend(10);
+		EXPECT_TRUE(budget.spent());
+	}
+	EXPECT_EQ(budget.extraLeft(), 0);
+	EXPECT_EQ(budget.left(), 870);
 }
 
 TEST(WorkBudget, CountsExtraWorkOnceThatIsWithinOther) {

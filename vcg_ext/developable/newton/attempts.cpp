@@ -16,8 +16,8 @@ constexpr double shareOfCareful = 0.6;
 class AttemptAhead {
 public:
 	AttemptAhead(const NewtonProblem& problem, const Positions& start, AttemptSetting setting)
-		: budget_(std::make_shared<WorkBudget>(problem.budget().left())), setting_(setting),
-		  task_([this, &problem, &start](const Progress& progress) {
+		: budget_(std::make_shared<WorkBudget>(problem.budget().left(), problem.budget().extraLeft())),
+		  setting_(setting), task_([this, &problem, &start](const Progress& progress) {
 			  const std::unique_ptr<NewtonProblem> own = problem.another();
 			  own->setBudget(budget_);
 			  result_ = attempt(*own, start, setting_, progress);
@@ -31,9 +31,10 @@ public:
 	/// \param budget   what work there is by now; becomes less by what this took
 	bool finish(const AttemptSetting& setting, WorkBudget& budget, const Progress& progress) {
 		task_.finish(progress);
-		const bool same = result_.ending == Ending::Stopped ||
-						  (setting.stiffens == setting_.stiffens &&
-						   result_.iterations < setting.maxIterations && budget_->used() < budget.left());
+		const bool same =
+			result_.ending == Ending::Stopped ||
+			(setting.stiffens == setting_.stiffens && result_.iterations < setting.maxIterations &&
+			 budget_->used() < budget.left() && budget_->extraUsed() < budget.extraLeft());
 		if (same)
 			budget.spend(*budget_);
 		return same;
@@ -98,10 +99,10 @@ AttemptResult Attempts::takeCareful(int steps) {
 	const Progress progress = partOf(progress_, 0, shareOfCareful);
 	const WorkReserve reserve(problem_.budget(), tuning.reserveOfCareful);
 	const double patience =
-		problem_.budget().used() + tuning.workBeforeNext * problem_.assembly().placeCount();
+		problem_.budget().usedForTheRest() + tuning.workBeforeNext * problem_.assembly().placeCount();
 	return attempt(problem_, start_, {smoothness_, true, steps},
 				   [&](double fraction, const std::string& message) {
-					   if (ahead_ && !ahead_->begun() && problem_.budget().used() > patience)
+					   if (ahead_ && !ahead_->begun() && problem_.budget().usedForTheRest() > patience)
 						   ahead_->begin();
 					   return mayGoOn(progress, fraction, message);
 				   });

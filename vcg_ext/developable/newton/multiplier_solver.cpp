@@ -43,13 +43,13 @@ bool MultiplierSolver::solve(const Eigen::VectorXd& b, double epsilon, Eigen::Ve
 bool MultiplierSolver::solveDirectly(const Eigen::VectorXd& b, double epsilon, bool foreseen,
 									 Positions& response) {
 	const SparseMatrix& metric = problem_.metric().matrix();
-	factorized_ = true;
 	const bool solved = foreseen ? direct_.solveForeseen(metric, problem_.jacobian(), b, epsilon, response)
 								 : direct_.solve(metric, problem_.jacobian(), b, epsilon, response);
 	if (direct_.factorizedLast())
 		problem_.budget().spendOperations(direct_.operations());
 	else
 		problem_.budget().spend(double(problem_.tuning().foreseenWork) * problem_.assembly().placeCount());
+	factorized_ = solved;
 	return solved;
 }
 

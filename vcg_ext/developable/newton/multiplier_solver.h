@@ -37,6 +37,9 @@ public:
 	bool solve(const Eigen::VectorXd& b, double epsilon, Eigen::VectorXd& y,
 			   const std::function<bool()>& mayGoOn, Positions& response, bool foreseen = false);
 
+	/// Whether the last system was factorised: then others with the same W, ε and J cost little.
+	bool factorizedLast() const { return factorized_; }
+
 private:
 	/// K.
 	bool factorize(double epsilon);

@@ -17,7 +17,8 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	const double share = mayFreeze ? shareOfAllTogether : 1;
 	const NewtonTuning& tuning = strategy.tuning();
 	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
-	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work));
+	const double extra = part.patchCount() > 1 ? work : tuning.preferredWorkPerPlace * part.placeCount();
+	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work, extra));
 	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, share));
 	if (outcome.ending == Ending::Stopped)
 		return outcome;
@@ -27,7 +28,7 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 		outcome.positions = start;
 	if (outcome.ending != Ending::Stuck || !mayFreeze)
 		return outcome;
-	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work));
+	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work, extra));
 	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
 	return FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(outcome);
 }

@@ -44,7 +44,7 @@ bool NewtonRun::takeStep() {
 }
 
 bool NewtonRun::takeCheapStep() {
-	if (iterations_ >= maxIterations_)
+	if (iterations_ >= maxIterations_ || problem_.budget().extraSpent())
 		return false;
 	++iterations_;
 	return true;

@@ -45,7 +45,7 @@ public:
 
 	/// Counts a step. \return false when there have been as many as may be, or the work is spent
 	bool takeStep();
-	/// The same for a step that costs little and is not taken from the budget of work.
+	/// The same for a step that costs little: it is not taken from the budget of work, but where it is extra.
 	bool takeCheapStep();
 
 	/// Tells how far the run is. \return false when the user asks for a stop

@@ -50,6 +50,8 @@ struct NewtonTuning {
 	int restorationReview = 8;      ///< steps in a row that are judged together
 	double restorationSlow = 0.5;   ///< share of |g|² that those may leave: success halves it in each
 	double restorationShortStep = 0.25; ///< length below which a step is short
+	int restorationChords = 6;          ///< steps with one factorisation, which costs as much as all of them
+	double restorationChordShare = 0.5; ///< of |g|² that a chord may leave
 
 	double nearlyThere = 0.3; ///< share of C at the start from which a restoration goes on more freely
 
@@ -121,13 +123,14 @@ struct NewtonTuning {
 	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
 	double preferredReach = 3;    ///< of it: shapes farther away are taken as they are
 	double preferredCurvature = 0.15; ///< of the original, a share: more of it back within the move, likewise
-	double preferredWork = 6;   ///< times the rest: on ways back, on larger levels than returnPlaces less
-	double pullBackReach = 1.6; ///< of a bound: from farther away places are not pulled back
-	double pullBackShare = 0.7; ///< of the displacement, at the second try
-	int pullBackRounds = 4;     ///< a try, each with more heavy places
-	int pullBackSteps = 200;    ///< a try
-	double goOnBeyond = 0.01;   ///< share of C at the start from which steps within it go on beyond it
-	int leastSquares = 1; ///< 0: where there is no way back, steps do not go on to the least squares of g
+	double preferredWork = 6;         ///< times the rest: on ways back
+	double preferredWorkPerPlace = 1000; ///< at most on a single panel, in units of WorkBudget
+	double pullBackReach = 1.6;          ///< of a bound: from farther away places are not pulled back
+	double pullBackShare = 0.7;          ///< of the displacement, at the second try
+	int pullBackRounds = 4;              ///< a try, each with more heavy places
+	int pullBackSteps = 200;             ///< a try
+	double goOnBeyond = 0.01; ///< share of C at the start from which steps within it go on beyond it
+	int leastSquares = 1;     ///< 0: where there is no way back, steps do not go on to the least squares of g
 	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
 
 	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200

@@ -66,8 +66,11 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 
 ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin) {
 	const NewtonTuning& tuning = problem.tuning();
+	const bool pullAtEachOther = problem.assembly().patchCount() > 1;
 	const double size = double(problem.assembly().placeCount()) / tuning.returnPlaces;
-	return {problem.budget(), tuning.preferredWork / std::max(1.0, size), begin};
+	const double onLarge = (pullAtEachOther ? tuning.preferredWork : 1) / size;
+	const double onSmall = pullAtEachOther ? std::numeric_limits<double>::infinity() : tuning.preferredWork;
+	return {problem.budget(), size > 1 ? onLarge : onSmall, begin};
 }
 
 bool mayBePreferred(const NewtonProblem& problem, const Shape& shape) {

@@ -18,6 +18,8 @@ Ending Restoration::restore() {
 		squares.push_back(before);
 		steps_.forgetMultipliers();
 		const double length = steps_.step(0, epsilon_);
+		if (length == 1)
+			steps_.chords(epsilon_);
 		if (steps_.stopped())
 			return Ending::Stopped;
 		if (steps_.unsolvable())
