@@ -30,11 +30,11 @@ public:
 	/// A step that lowers φ. The multipliers of the step before are the first guess, unless those are
 	/// forgotten. \return the step's length as a share of the whole; 0 when none was any good
 	double step(double tau, double epsilon);
-
-	/// Further full steps towards g = 0 with the Jacobian, the metric and ε of the last step, as long as that
-	/// was whole, its system was factorised, which costs as much as all of them, and each removes enough.
-	void chords(double epsilon);
 	void forgetMultipliers() { multipliers_.setZero(); }
+
+	/// After a whole step whose system was factorised, further ones towards g = 0 with its Jacobian, metric
+	/// and ε, which cost as much all together as that; as long as each removes enough.
+	void chords(double epsilon);
 
 	/// φ with τ = 1.
 	double merit(const Shape& shape, double epsilon) const { return merit(shape, 1, epsilon); }
