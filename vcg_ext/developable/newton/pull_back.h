@@ -25,7 +25,7 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound);
 
 /// While it lasts, what is done on ways back to within how far a place had better move may take so many times
 /// the rest, on levels without rounds the less the larger they are. Panels that are sewn together pull at
-/// each other: they have all the work that there is.
+/// each other: on levels with rounds they have all the work that there is.
 /// \param begin  of the rest
 ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin = WorkBudget());
 
