@@ -30,7 +30,7 @@ TEST(Restoration, FactorisesFewerSystemsWithChords) {
 	const auto restored = [&](int chords) {
 		NewtonTuning tuning;
 		tuning.slowSystem = tuning.slowStiffSystem = 1; // all but the first are factorised
-		tuning.restorationChords = chords;
+		tuning.chords = chords;
 		detail::NewtonProblem problem = problemOf(assembly, tuning);
 		problem.jacobian().freeBorders(true);
 		const Progress silent;

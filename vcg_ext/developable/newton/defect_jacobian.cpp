@@ -158,10 +158,8 @@ SparseMatrix DefectJacobian::along(const Positions& directions) const {
 
 std::vector<int> DefectJacobian::rowOrder(const std::vector<int>& placeOrder) const {
 	std::vector<std::vector<int>> rowsOfPlace(placeOrder.size());
-	for (int row = 0; row < copyRows(); ++row)
-		rowsOfPlace[assembly_.placeOfCopy[copyOfRow_[row]]].push_back(row);
-	for (int row = copyRows(); row < rowCount(); ++row)
-		rowsOfPlace[turns_.joints()[row - copyRows()][1]].push_back(row);
+	for (int row = 0; row < rowCount(); ++row)
+		rowsOfPlace[placeOfRow(row)].push_back(row);
 	std::vector<int> order;
 	order.reserve(rowCount());
 	for (const int place : placeOrder)

@@ -62,6 +62,12 @@ public:
 	/// J for displacements along one direction a place, rows x places.
 	SparseMatrix along(const Positions& directions) const;
 
+	/// Where a copy is, or a border turns.
+	int placeOfRow(int row) const {
+		return row < copyRows() ? assembly_.placeOfCopy[copyOfRow_[row]]
+								: turns_.joints()[row - copyRows()][1];
+	}
+
 	/// The rows in the order of their places, a turn's being the middle one.
 	/// \param placeOrder  all places
 	std::vector<int> rowOrder(const std::vector<int>& placeOrder) const;

@@ -81,8 +81,6 @@ Ending returnWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 	const Ending pulledBack = pullBackWithinPreferred(problem, run);
 	if (pulledBack != Ending::Stuck)
 		return pulledBack;
-	if (!mayReturnToPreferred(problem, run.shape()))
-		return Ending::Reached;
 	problem.forgetNormalSystem();
 	GaussNewton steps(problem, run, true, problem.goal().farthest);
 	return steps.unsolvable() ? Ending::Reached : returnToPreferred(problem, run, steps);

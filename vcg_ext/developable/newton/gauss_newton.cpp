@@ -53,17 +53,8 @@ double GaussNewton::step(double tau, double epsilon) {
 }
 
 void GaussNewton::chords(double epsilon) {
-	const NewtonTuning& tuning = problem_.tuning();
-	const auto squaredDefects = [](const Shape& shape) { return shape.scaledDefects.squaredNorm(); };
-	for (int chord = 1; chord < tuning.restorationChords && solver_.factorizedLast(); ++chord) {
-		const double before = squaredDefects(run_.shape());
-		if (run_.shape().reached || before == 0)
-			return;
-		const Positions whole = direction(0, epsilon, true);
-		if (stopped_ || run_.descend(whole, squaredDefects, -before, 0, farthest_) == 0 ||
-			squaredDefects(run_.shape()) > tuning.restorationChordShare * before)
-			return;
-	}
+	run_.takeChords([&] { return solver_.factorizedLast() ? direction(0, epsilon, true) : Positions(); },
+					farthest_);
 }
 
 Positions GaussNewton::direction(double tau, double epsilon, bool foreseen) {

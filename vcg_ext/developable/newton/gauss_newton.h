@@ -32,8 +32,7 @@ public:
 	double step(double tau, double epsilon);
 	void forgetMultipliers() { multipliers_.setZero(); }
 
-	/// After a whole step whose system was factorised, further ones towards g = 0 with its Jacobian, metric
-	/// and ε, which cost as much all together as that; as long as each removes enough.
+	/// See NewtonRun; with the Jacobian, the metric and ε of the last step, if its system was factorised.
 	void chords(double epsilon);
 
 	/// φ with τ = 1.

@@ -45,6 +45,7 @@ public:
 	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, the same in all patches
 	void setSmoothness(double smoothness);
+	double smoothness() const { return smoothness_; }
 
 	Shape shapeAt(const Positions& positions) const;
 
@@ -75,6 +76,7 @@ public:
 	BendingMetric& metric() { return metric_; }
 	const BendingMetric& metric() const { return metric_; }
 	DefectJacobian& jacobian() { return jacobian_; }
+	const DefectJacobian& jacobian() const { return jacobian_; }
 	const Soundness& soundness() const { return soundness_; }
 	/// That of steps along the normals.
 	NormalSystem& normalSystem();
@@ -99,6 +101,7 @@ private:
 	Soundness soundness_;
 	std::optional<NormalSystem> normalSystem_;
 	const double shapeSmoothness_; // φ
+	double smoothness_ = 0;        // α
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 };
 

@@ -81,6 +81,23 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 	return 0;
 }
 
+/// The slope is -2 |g|² but for the damping; half of it asks for no more than that leaves.
+double NewtonRun::descendDefects(const Positions& direction, int halvings, double farthest) {
+	const auto squaredDefects = [](const Shape& shape) { return shape.scaledDefects.squaredNorm(); };
+	return descend(direction, squaredDefects, -squaredDefects(shape_), halvings, farthest);
+}
+
+void NewtonRun::takeChords(const std::function<Positions()>& next, double farthest) {
+	const NewtonTuning& tuning = problem_.tuning();
+	for (int chord = 1; chord < tuning.chords && !shape_.reached; ++chord) {
+		const double before = shape_.scaledDefects.squaredNorm();
+		const Positions whole = next();
+		if (whole.size() == 0 || descendDefects(whole, 0, farthest) == 0 ||
+			shape_.scaledDefects.squaredNorm() > tuning.chordShare * before)
+			return;
+	}
+}
+
 void NewtonRun::moveTo(Shape shape) {
 	shape_ = std::move(shape);
 	if (isNear())

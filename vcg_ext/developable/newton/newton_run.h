@@ -65,6 +65,15 @@ public:
 	double descend(const Positions& direction, const Merit& merit, double slope, int halvings,
 				   double farthest = std::numeric_limits<double>::infinity());
 
+	/// The same towards g = 0, from the slope that |g|² has along a Newton step.
+	double descendDefects(const Positions& direction, int halvings, double farthest);
+
+	/// Chords, after a whole step whose system was factorised: further whole ones with its factor, each
+	/// towards what g is by then, as long as each removes enough.
+	/// \param next      from where the run is; empty when there is no other, or the user asks for a stop
+	/// \param farthest  see descend
+	void takeChords(const std::function<Positions()>& next, double farthest);
+
 	/// The last shape that was within the bound on displacements; at first the start, even if that is not.
 	const Positions& nearest() const { return lastNear_; }
 

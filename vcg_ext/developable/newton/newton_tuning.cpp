@@ -53,15 +53,11 @@ std::vector<TuningConstant> constantsOfSteps() {
 		{"restorationReview", &NewtonTuning::restorationReview},
 		{"restorationSlow", &NewtonTuning::restorationSlow},
 		{"restorationShortStep", &NewtonTuning::restorationShortStep},
-		{"restorationChords", &NewtonTuning::restorationChords},
-		{"restorationChordShare", &NewtonTuning::restorationChordShare},
 		{"nearlyThere", &NewtonTuning::nearlyThere},
 		{"shortestMove", &NewtonTuning::shortestMove},
 		{"shortestSteps", &NewtonTuning::shortestSteps},
 		{"shortestDamping", &NewtonTuning::shortestDamping},
 		{"firstDamping", &NewtonTuning::firstDamping},
-		{"chords", &NewtonTuning::chords},
-		{"chordShare", &NewtonTuning::chordShare},
 		{"normalPatience", &NewtonTuning::normalPatience},
 		{"normalIdle", &NewtonTuning::normalIdle},
 		{"normalGood", &NewtonTuning::normalGood},
@@ -73,6 +69,12 @@ std::vector<TuningConstant> constantsOfSteps() {
 		{"normalRetry", &NewtonTuning::normalRetry},
 		{"normalShortStep", &NewtonTuning::normalShortStep},
 		{"normalHalvings", &NewtonTuning::normalHalvings},
+		{"localPlaces", &NewtonTuning::localPlaces},
+		{"localRows", &NewtonTuning::localRows},
+		{"localRings", &NewtonTuning::localRings},
+		{"localSteps", &NewtonTuning::localSteps},
+		{"localRounds", &NewtonTuning::localRounds},
+		{"localShare", &NewtonTuning::localShare},
 	};
 }
 
@@ -80,6 +82,8 @@ std::vector<TuningConstant> constantsOfSteps() {
 std::vector<TuningConstant> constantsOfAllSteps() {
 	return {
 		{"halvings", &NewtonTuning::halvings},
+		{"chords", &NewtonTuning::chords},
+		{"chordShare", &NewtonTuning::chordShare},
 		{"sparingRounds", &NewtonTuning::sparingRounds},
 		{"responseSteps", &NewtonTuning::responseSteps},
 		{"systemSteps", &NewtonTuning::systemSteps},

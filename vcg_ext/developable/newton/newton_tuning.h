@@ -50,8 +50,6 @@ struct NewtonTuning {
 	int restorationReview = 8;      ///< steps in a row that are judged together
 	double restorationSlow = 0.5;   ///< share of |g|² that those may leave: success halves it in each
 	double restorationShortStep = 0.25; ///< length below which a step is short
-	int restorationChords = 6;          ///< steps with one factorisation, which costs as much as all of them
-	double restorationChordShare = 0.5; ///< of |g|² that a chord may leave
 
 	double nearlyThere = 0.3; ///< share of C at the start from which a restoration goes on more freely
 
@@ -62,8 +60,6 @@ struct NewtonTuning {
 
 	// Steps along the normals.
 	double firstDamping = 0.01;      ///< share of ‖N u‖²_W in the trace of the first system
-	int chords = 6;                  ///< steps with one factorisation, which costs as much as all of them
-	double chordShare = 0.5;         ///< of |g|² that a chord may leave
 	int normalPatience = 5;          ///< steps in a row that change next to nothing
 	double normalIdle = 0.98;        ///< share of |g|² that is left by a step that changes next to nothing
 	double normalGood = 0.5;         ///< share of |g|² that a good step leaves at most
@@ -76,9 +72,19 @@ struct NewtonTuning {
 	double normalShortStep = 0.3;    ///< length below which a step is short
 	int normalHalvings = 7;          ///< of a step until ε is raised instead
 
+	// Local steps, where a step along the normals leaves too much near few places.
+	int localPlaces = 20000; ///< more: a system costs so much more than local ones
+	double localRows = 0.03; ///< share of all rows: more are not local
+	int localRings = 2;      ///< round a row's place, that move
+	int localSteps = 4;      ///< in a round
+	int localRounds = 4;     ///< after a step
+	double localShare = 0.5; ///< of |g|² that a round may leave
+
 	// Every step.
-	int halvings = 9;       ///< of a step in all three directions: a shorter one is not worth its system
-	int sparingRounds = 20; ///< in which triangles that a step would spoil are made to move as one piece
+	int halvings = 9;        ///< of a step in all three directions: a shorter one is not worth its system
+	int chords = 6;          ///< steps with one factorisation, which costs as much as all of them
+	double chordShare = 0.5; ///< of |g|² that a chord may leave
+	int sparingRounds = 20;  ///< in which triangles that a step would spoil are made to move as one piece
 
 	// Linear systems in the multipliers.
 	int responseSteps = 3;    ///< of the power iteration for the greatest response

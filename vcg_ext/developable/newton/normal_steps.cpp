@@ -2,12 +2,31 @@
 // normal_steps.cpp: steps along the normals, with chords.
 #include "normal_steps.h"
 
+#include "local_steps.h"
+
 namespace developable::detail {
 
 NormalSteps::NormalSteps(NewtonProblem& problem, NewtonRun& run, double farthest)
 	: problem_(problem), run_(run), farthest_(farthest) {}
 
+void NormalSteps::allowLocalSteps() {
+	const NewtonTuning& tuning = problem_.tuning();
+	mayGoLocally_ = tuning.localRounds > 0 && problem_.assembly().placeCount() > tuning.localPlaces;
+}
+
 Ending NormalSteps::run() {
+	const Shape begin = run_.shape();
+	const Ending ending = go();
+	if (ending != Ending::Stuck || !wentLocally_)
+		return ending;
+	run_.goBackTo(begin);
+	problem_.metric().loosen();
+	mayGoLocally_ = false;
+	epsilon_ = 0;
+	return go();
+}
+
+Ending NormalSteps::go() {
 	const NewtonTuning& tuning = problem_.tuning();
 	for (int idle = 0; !run_.shape().reached;) {
 		if (!run_.mayGoOn())
@@ -62,23 +81,29 @@ Positions NormalSteps::wholeStep() const {
 	return normals_ * problem_.normalSystem().solve(downward).asDiagonal();
 }
 
-double NormalSteps::stepsWithOneFactorization() {
-	const double length = tryStep(firstStep_, problem_.tuning().normalHalvings);
-	for (int chord = 1; chord < problem_.tuning().chords && length > 0; ++chord) {
-		if (run_.shape().reached || !run_.mayGoOn())
-			break;
-		const double before = squaredDefects();
-		if (tryStep(wholeStep(), 0) == 0 || squaredDefects() > problem_.tuning().chordShare * before)
-			break;
-	}
-	return length;
+double NormalSteps::stepWithLocalSteps() {
+	const Positions& from = run_.shape().positions;
+	Positions whole = firstStep_;
+	pullBack(problem_.assembly().originalPositions, from, whole, farthest_);
+	if (!mayGoLocally_ || !problem_.soundness().spare(from, whole))
+		return 0;
+	const Shape ahead = problem_.shapeAt(from + whole);
+	if (ahead.scaledDefects.squaredNorm() <= problem_.tuning().normalGood * squaredDefects())
+		return 0;
+	const std::optional<Shape> improved = LocalSteps(problem_, farthest_).improved(ahead, squaredDefects());
+	if (!improved)
+		return 0;
+	wentLocally_ = true;
+	return run_.descendDefects(improved->positions - from, 0, farthest_);
 }
 
-double NormalSteps::tryStep(const Positions& whole, int halvings) {
-	// Of |g|² the slope is -2 |g|² but for the damping; half of it asks for no more than that leaves.
-	return run_.descend(
-		whole, [](const Shape& shape) { return shape.scaledDefects.squaredNorm(); }, -squaredDefects(),
-		halvings, farthest_);
+double NormalSteps::stepsWithOneFactorization() {
+	double length = stepWithLocalSteps();
+	if (length == 0)
+		length = run_.descendDefects(firstStep_, problem_.tuning().normalHalvings, farthest_);
+	if (length > 0)
+		run_.takeChords([&] { return run_.mayGoOn() ? wholeStep() : Positions(); }, farthest_);
+	return length;
 }
 
 } // namespace developable::detail

@@ -16,20 +16,26 @@ public:
 	/// \param farthest  how far from the original a place may go, length
 	NormalSteps(NewtonProblem& problem, NewtonRun& run, double farthest);
 
+	/// On a part that is large enough for these to pay, see LocalSteps: for where a developable shape is
+	/// near. Steps that are stuck for all that begin again without.
+	void allowLocalSteps();
+
 	/// \return Reached; Stuck, where steps have stopped to make a difference; OutOfSteps; Stopped
 	Ending run();
 
 private:
+	Ending go();
+
 	/// Of NᵀJᵀJN + ε NᵀWN at the present positions. \return whether it succeeded
 	bool factorize();
 
 	/// From the present positions, with the system as it was factorised last.
 	Positions wholeStep() const;
 
-	/// A first step with line search, then chords: full steps with new right-hand sides, as long as each
-	/// removes enough. \return the first step's length, 0 when none was any good
+	/// The first step, whole, with local steps where it leaves too much. \return 1, or 0 where that is no use
+	double stepWithLocalSteps();
+	/// A first step with line search, then chords. \return the first step's length, 0 when none was any good
 	double stepsWithOneFactorization();
-	double tryStep(const Positions& whole, int halvings);
 
 	double epsilonFactor(double shareLeft, double length) const;
 	double squaredDefects() const { return run_.shape().scaledDefects.squaredNorm(); }
@@ -40,6 +46,7 @@ private:
 	SparseMatrix along_; // J N
 	Positions normals_, firstStep_;
 	double epsilon_ = 0;
+	bool mayGoLocally_ = false, wentLocally_ = false;
 };
 
 } // namespace developable::detail

@@ -34,7 +34,10 @@ bool goBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 
 Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rounds) {
 	for (int round = 1;; ++round) {
-		const Ending ending = NormalSteps(problem, run, bound).run();
+		NormalSteps steps(problem, run, bound);
+		if (rounds > 1)
+			steps.allowLocalSteps();
+		const Ending ending = steps.run();
 		if (ending != Ending::Stuck || round == rounds || !weighPlacesAtBound(problem, run.shape(), bound))
 			return ending;
 		run.restart();
@@ -64,6 +67,10 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 	return Ending::Stuck;
 }
 
+bool isSmallEnoughToReturn(const NewtonProblem& problem) {
+	return problem.assembly().placeCount() <= problem.tuning().returnPlaces;
+}
+
 ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin) {
 	const NewtonTuning& tuning = problem.tuning();
 	const bool pullAtEachOther = problem.assembly().patchCount() > 1;
@@ -87,15 +94,13 @@ bool mayBePreferred(const NewtonProblem& problem, const Shape& shape) {
 
 Ending pullBackWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
 	const Shape found = run.shape();
-	if (found.farthest <= problem.preferredMove())
+	if (found.farthest <= problem.preferredMove() || !mayBePreferred(problem, found))
 		return Ending::Reached;
-	if (!mayBePreferred(problem, found))
-		return Ending::Stuck;
 	const Ending ending = pullBackWithin(problem, run, problem.preferredMove());
-	if (ending != Ending::Reached || problem.hardlyFarther(run.shape(), found))
+	if (ending == Ending::Stopped || (ending == Ending::Reached && problem.hardlyFarther(run.shape(), found)))
 		return ending;
 	run.goBackTo(found);
-	return Ending::Stuck;
+	return isSmallEnoughToReturn(problem) ? Ending::Stuck : Ending::Reached;
 }
 
 } // namespace developable::detail

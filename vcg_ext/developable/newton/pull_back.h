@@ -23,6 +23,9 @@ Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rou
 /// \return       Reached; Stuck, with the shape as it was; Stopped
 Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound);
 
+/// Whether a part is small enough for ways back to within the preferred move, which are dear.
+bool isSmallEnoughToReturn(const NewtonProblem& problem);
+
 /// While it lasts, what is done on ways back to within how far a place had better move may take so many times
 /// the rest, on levels without rounds the less the larger they are. Panels that are sewn together pull at
 /// each other: on levels with rounds they have all the work that there is.
@@ -35,7 +38,7 @@ ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin = 
 bool mayBePreferred(const NewtonProblem& problem, const Shape& shape);
 
 /// The same as pullBackWithin for how far a place had better move at most, where the mean displacement hardly
-/// grows by it.
+/// grows by it. \return  Reached, too, where there is no other way to within that than this, or none at all
 Ending pullBackWithinPreferred(NewtonProblem& problem, NewtonRun& run);
 
 } // namespace developable::detail

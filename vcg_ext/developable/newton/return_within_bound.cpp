@@ -88,14 +88,6 @@ void ReturnWithinBound::makeFarPlacesHeavier() {
 	masses_ = masses;
 }
 
-bool isSmallEnoughToReturn(const NewtonProblem& problem) {
-	return problem.assembly().placeCount() <= problem.tuning().returnPlaces;
-}
-
-bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape) {
-	return isSmallEnoughToReturn(problem) && mayBePreferred(problem, shape);
-}
-
 Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 	const Shape found = run.shape();
 	const double preferred = problem.preferredMove();
@@ -114,10 +106,7 @@ Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& st
 Ending withinPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, const WorkBudget& begin) {
 	const ExtraWork extra = workWithinPreferred(problem, begin);
 	const Ending pulledBack = pullBackWithinPreferred(problem, run);
-	if (pulledBack != Ending::Stuck)
-		return pulledBack;
-	return mayReturnToPreferred(problem, run.shape()) ? returnToPreferred(problem, run, steps)
-													  : Ending::Reached;
+	return pulledBack == Ending::Stuck ? returnToPreferred(problem, run, steps) : pulledBack;
 }
 
 } // namespace developable::detail

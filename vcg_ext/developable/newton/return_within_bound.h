@@ -44,14 +44,8 @@ private:
 	Shape found_;
 };
 
-/// Whether a part is small enough for ways back to within the preferred move, which are dear.
-bool isSmallEnoughToReturn(const NewtonProblem& problem);
-
-/// Whether a developable shape with a place that moves farther than it had better is near enough, and the
-/// part small enough, for rounds on the way back.
-bool mayReturnToPreferred(const NewtonProblem& problem, const Shape& shape);
-
-/// Those rounds. \return Reached, with the shape as it was where that leads nowhere; Stopped
+/// Rounds towards how far a place had better move. \return Reached, with the shape as it was where that leads
+/// nowhere; Stopped
 Ending returnToPreferred(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps);
 
 /// Pulls such a shape back; where that leads nowhere, goes rounds if it may.

@@ -27,9 +27,7 @@ Ending ShortestSteps::run() {
 		problem_.jacobian().linearize(run_.shape().positions);
 		const Positions whole = step(epsilon);
 		const double squared = run_.shape().scaledDefects.squaredNorm();
-		const double length = run_.descend(
-			whole, [](const Shape& shape) { return shape.scaledDefects.squaredNorm(); }, -squared, 0,
-			farthest_);
+		const double length = run_.descendDefects(whole, 0, farthest_);
 		const double left = run_.shape().scaledDefects.squaredNorm() / squared;
 		if (length == 0 && i == 0 && whole.colwise().norm().maxCoeff() > farthest_)
 			return Ending::Stuck;
