@@ -73,7 +73,7 @@ struct NewtonTuning {
 	int normalHalvings = 7;          ///< of a step until ε is raised instead
 
 	// Local steps, where a step along the normals leaves too much near few places.
-	int localPlaces = 20000; ///< more: a system costs so much more than local ones
+	int localPlaces = 20000; ///< more on the finest level: fewer are quick without
 	double localRows = 0.03; ///< share of all rows: more are not local
 	int localRings = 2;      ///< round a row's place, that move
 	int localSteps = 4;      ///< in a round
