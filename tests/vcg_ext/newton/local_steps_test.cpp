@@ -100,6 +100,22 @@ TEST_F(LocalStepsOnASheet, HoldWhatIsHeld) {
 	EXPECT_EQ(found->positions.col(one + 1), ahead.col(one + 1));
 }
 
+/// A peak of the original itself has to go down by more than it may.
+TEST_F(LocalStepsOnASheet, KeepTheBoundOnDisplacements) {
+	PatchAssembly peaked = assembly;
+	peaked.originalPositions = withPeaks(assembly, {one});
+	const detail::NewtonProblem ofPeak = problemOf(peaked);
+	const detail::Shape start = ofPeak.shapeAt(peaked.originalPositions);
+	const auto farthest = [&](double bound) {
+		const auto found = detail::LocalSteps(ofPeak, bound).improved(start, start.squaredDefects() / 10);
+		return found ? found->farthest : -1;
+	};
+	const double bound = 0.1 * meanEdgeLength(assembly);
+	EXPECT_GT(farthest(1), bound);
+	EXPECT_GT(farthest(bound), 0.5 * bound);
+	EXPECT_LE(farthest(bound), bound);
+}
+
 /// A surface of few flat facets, each of many triangles: whole steps spoil places on them.
 PatchAssembly facetedSheet(const Surface& surface, int facets) {
 	return assembled(jitteredGrid(

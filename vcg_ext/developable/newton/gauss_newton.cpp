@@ -76,7 +76,7 @@ double GaussNewton::squaredDistance(const Shape& shape) const {
 
 double GaussNewton::merit(const Shape& shape, double tau, double epsilon) const {
 	const double distance = tau == 0 ? 0 : tau * squaredDistance(shape) / 2;
-	return distance + shape.scaledDefects.squaredNorm() / (2 * epsilon);
+	return distance + shape.squaredDefects() / (2 * epsilon);
 }
 
 } // namespace developable::detail

@@ -11,10 +11,6 @@ namespace developable::detail {
 
 namespace {
 
-double squaredDefects(const Shape& shape) {
-	return shape.scaledDefects.squaredNorm();
-}
-
 /// Whether a triangle has a marked place.
 bool touches(const PatchAssembly& assembly, int triangle, const std::vector<char>& marked) {
 	const auto places = assembly.trianglePlaces.col(triangle);
@@ -54,7 +50,7 @@ std::optional<Shape> LocalSteps::improved(Shape ahead, double before) const {
 		if (rows.empty())
 			break;
 		Shape after = afterRound(ahead, rows);
-		const double left = squaredDefects(after) / squaredDefects(ahead);
+		const double left = after.squaredDefects() / ahead.squaredDefects();
 		if (left < 1)
 			best = after;
 		if (!(left < tuning.localShare))

@@ -21,6 +21,9 @@ struct Shape {
 	double curvature = 0;          ///< C, rad
 	double farthest = 0;           ///< how far the farthest place is from where it was, length
 	bool reached = false;          ///< every patch is developable
+
+	/// |g|².
+	double squaredDefects() const { return scaledDefects.squaredNorm(); }
 };
 
 /// Of all sound shapes with g = 0 the one is sought whose displacement d from the original has the least

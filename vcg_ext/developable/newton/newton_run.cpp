@@ -63,18 +63,24 @@ bool NewtonRun::mayGoOn() const {
 								describeCurvature(startCurvature_, shape_.curvature, iterations_));
 }
 
+std::optional<Shape> NewtonRun::ahead(Positions move, double farthest) const {
+	pullBack(problem_.assembly().originalPositions, shape_.positions, move, farthest);
+	if (!problem_.soundness().spare(shape_.positions, move))
+		return {};
+	Shape next = problem_.shapeAt(shape_.positions + move);
+	if (!(next.farthest <= farthest))
+		return {};
+	return next;
+}
+
 double NewtonRun::descend(const Positions& direction, const Merit& merit, double slope, int halvings,
 						  double farthest) {
 	const double before = merit(shape_);
 	double length = 1;
 	for (int halving = 0; halving <= halvings; ++halving, length /= 2) {
-		Positions move = length * direction;
-		pullBack(problem_.assembly().originalPositions, shape_.positions, move, farthest);
-		if (!problem_.soundness().spare(shape_.positions, move))
-			continue;
-		Shape next = problem_.shapeAt(shape_.positions + move);
-		if (next.farthest <= farthest && descendsEnough(before, slope, length, merit(next))) {
-			moveTo(std::move(next));
+		std::optional<Shape> next = ahead(length * direction, farthest);
+		if (next && descendsEnough(before, slope, length, merit(*next))) {
+			moveTo(std::move(*next));
 			return length;
 		}
 	}
@@ -83,17 +89,17 @@ double NewtonRun::descend(const Positions& direction, const Merit& merit, double
 
 /// The slope is -2 |g|² but for the damping; half of it asks for no more than that leaves.
 double NewtonRun::descendDefects(const Positions& direction, int halvings, double farthest) {
-	const auto squaredDefects = [](const Shape& shape) { return shape.scaledDefects.squaredNorm(); };
+	const auto squaredDefects = [](const Shape& shape) { return shape.squaredDefects(); };
 	return descend(direction, squaredDefects, -squaredDefects(shape_), halvings, farthest);
 }
 
 void NewtonRun::takeChords(const std::function<Positions()>& next, double farthest) {
 	const NewtonTuning& tuning = problem_.tuning();
 	for (int chord = 1; chord < tuning.chords && !shape_.reached; ++chord) {
-		const double before = shape_.scaledDefects.squaredNorm();
+		const double before = shape_.squaredDefects();
 		const Positions whole = next();
 		if (whole.size() == 0 || descendDefects(whole, 0, farthest) == 0 ||
-			shape_.scaledDefects.squaredNorm() > tuning.chordShare * before)
+			shape_.squaredDefects() > tuning.chordShare * before)
 			return;
 	}
 }

@@ -6,6 +6,7 @@
 #include "newton_problem.h"
 
 #include <functional>
+#include <optional>
 
 namespace developable::detail {
 
@@ -54,12 +55,16 @@ public:
 	/// What a step has to lower: of a shape, any unit.
 	using Merit = std::function<double(const Shape&)>;
 
+	/// Where a move would lead: triangles that it would spoil move as one piece, and places that would go too
+	/// far are pulled back. Nothing where that is not sound.
+	/// \param farthest  that a place may be from where it was, length
+	std::optional<Shape> ahead(Positions move, double farthest) const;
+
 	/// The one guarded descent of all steps: goes along a direction, all the way or half of it, a quarter
-	/// and so on, to a sound shape whose merit is lower enough (see descendsEnough). Triangles that would be
-	/// spoilt move as one piece, and places that would go too far are pulled back.
+	/// and so on, to what is ahead there if its merit is lower enough (see descendsEnough).
 	///
 	/// \param slope      of the merit along the direction, negative
-	/// \param farthest   that a place may be from where it was, length
+	/// \param farthest   see ahead
 	/// \return           how much of the direction it went; 0 when nothing was any good, and the shape is
 	///                   the same
 	double descend(const Positions& direction, const Merit& merit, double slope, int halvings,
@@ -71,7 +76,7 @@ public:
 	/// Chords, after a whole step whose system was factorised: further whole ones with its factor, each
 	/// towards what g is by then, as long as each removes enough.
 	/// \param next      from where the run is; empty when there is no other, or the user asks for a stop
-	/// \param farthest  see descend
+	/// \param farthest  see ahead
 	void takeChords(const std::function<Positions()>& next, double farthest);
 
 	/// The last shape that was within the bound on displacements; at first the start, even if that is not.

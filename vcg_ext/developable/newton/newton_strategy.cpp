@@ -7,8 +7,8 @@
 #include "fair_descent.h"
 #include "fair_shape.h"
 #include "normal_steps.h"
+#include "pull_back.h"
 #include "refinement.h"
-#include "return_within_bound.h"
 #include "shortest_steps.h"
 
 #include <chrono>
@@ -57,7 +57,8 @@ NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const Curvatu
 	: smoothness_(smoothness), shapeSmoothness_(shapeSmoothness(fairness)), goal_(goal),
 	  maxIterations_(maxIterations), memoryLimit_(memoryLimit), tuning_(tuning) {}
 
-/// With less room to move, for what the finest level adds.
+/// With less room to move, for what the finest level adds. Where that is large enough for local steps, so are
+/// all levels: the nearer these end, the better it begins.
 /// \param fairerElsewhere  on a finer level than its own
 NewtonStrategy NewtonStrategy::coarser(bool fairerElsewhere) const {
 	NewtonStrategy result = *this;

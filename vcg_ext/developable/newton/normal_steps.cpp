@@ -82,19 +82,16 @@ Positions NormalSteps::wholeStep() const {
 }
 
 double NormalSteps::stepWithLocalSteps() {
-	const Positions& from = run_.shape().positions;
-	Positions whole = firstStep_;
-	pullBack(problem_.assembly().originalPositions, from, whole, farthest_);
-	if (!mayGoLocally_ || !problem_.soundness().spare(from, whole))
+	if (!mayGoLocally_)
 		return 0;
-	const Shape ahead = problem_.shapeAt(from + whole);
-	if (ahead.scaledDefects.squaredNorm() <= problem_.tuning().normalGood * squaredDefects())
+	const std::optional<Shape> ahead = run_.ahead(firstStep_, farthest_);
+	if (!ahead || ahead->squaredDefects() <= problem_.tuning().normalGood * squaredDefects())
 		return 0;
-	const std::optional<Shape> improved = LocalSteps(problem_, farthest_).improved(ahead, squaredDefects());
+	const std::optional<Shape> improved = LocalSteps(problem_, farthest_).improved(*ahead, squaredDefects());
 	if (!improved)
 		return 0;
 	wentLocally_ = true;
-	return run_.descendDefects(improved->positions - from, 0, farthest_);
+	return run_.descendDefects(improved->positions - run_.shape().positions, 0, farthest_);
 }
 
 double NormalSteps::stepsWithOneFactorization() {

@@ -24,6 +24,7 @@ public:
 	Ending run();
 
 private:
+	/// With local steps or without, as they may be now.
 	Ending go();
 
 	/// Of NᵀJᵀJN + ε NᵀWN at the present positions. \return whether it succeeded
@@ -38,7 +39,7 @@ private:
 	double stepsWithOneFactorization();
 
 	double epsilonFactor(double shareLeft, double length) const;
-	double squaredDefects() const { return run_.shape().scaledDefects.squaredNorm(); }
+	double squaredDefects() const { return run_.shape().squaredDefects(); }
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;

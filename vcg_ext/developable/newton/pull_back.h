@@ -11,7 +11,8 @@ namespace developable::detail {
 bool goBackWithin(NewtonProblem& problem, NewtonRun& run, double bound);
 
 /// Steps along the normals that keep a bound on displacements. Where they are stuck, places at the bound
-/// become heavy, and stay so, and the run begins again: it goes so many rounds at most.
+/// become heavy, and stay so, and the run begins again: it goes so many rounds at most. Where it may do that,
+/// a developable shape is known to be near, and it may take local steps.
 /// \param bound  from the original, length
 Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rounds);
 

@@ -14,7 +14,7 @@ Ending Restoration::restore() {
 			return Ending::Stuck;
 		if (!run_.takeStep())
 			return Ending::OutOfSteps;
-		const double before = run_.shape().scaledDefects.squaredNorm();
+		const double before = run_.shape().squaredDefects();
 		squares.push_back(before);
 		steps_.forgetMultipliers();
 		const double length = steps_.step(0, epsilon_);
@@ -24,7 +24,7 @@ Ending Restoration::restore() {
 			return Ending::Stopped;
 		if (steps_.unsolvable())
 			return Ending::Unsolvable;
-		const double left = run_.shape().scaledDefects.squaredNorm() / before;
+		const double left = run_.shape().squaredDefects() / before;
 		if (heldUp(length, left))
 			steps_.loosen();
 		idle = left > problem_.tuning().restorationIdle ? idle + 1 : 0;
@@ -45,8 +45,8 @@ bool Restoration::heldUp(double length, double left) const {
 /// way.
 bool Restoration::crawls(const std::vector<double>& squares) const {
 	const std::size_t review = problem_.tuning().restorationReview;
-	return squares.size() >= review && run_.shape().scaledDefects.squaredNorm() >
-										   problem_.tuning().restorationSlow * squares.end()[-int(review)];
+	return squares.size() >= review &&
+		   run_.shape().squaredDefects() > problem_.tuning().restorationSlow * squares.end()[-int(review)];
 }
 
 double Restoration::epsilonFactor(double length) const {

@@ -45,7 +45,7 @@ Ending ReturnWithinBound::goNearer() {
 double ReturnWithinBound::dearCurvature() const {
 	const Shape original = problem_.shapeAt(problem_.assembly().originalPositions);
 	const double share = problem_.tuning().returnCurvature;
-	return share * share * original.scaledDefects.squaredNorm() / steps_.squaredDistance(found_);
+	return share * share * original.squaredDefects() / steps_.squaredDistance(found_);
 }
 
 Ending ReturnWithinBound::round(double epsilon) {

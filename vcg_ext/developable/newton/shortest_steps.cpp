@@ -26,9 +26,9 @@ Ending ShortestSteps::run() {
 			return Ending::Stuck;
 		problem_.jacobian().linearize(run_.shape().positions);
 		const Positions whole = step(epsilon);
-		const double squared = run_.shape().scaledDefects.squaredNorm();
+		const double squared = run_.shape().squaredDefects();
 		const double length = run_.descendDefects(whole, 0, farthest_);
-		const double left = run_.shape().scaledDefects.squaredNorm() / squared;
+		const double left = run_.shape().squaredDefects() / squared;
 		if (length == 0 && i == 0 && whole.colwise().norm().maxCoeff() > farthest_)
 			return Ending::Stuck;
 		epsilon *= length == 0                ? tuning.normalRetry
