@@ -6,10 +6,10 @@
 
 #ifdef DEVELOPABLE_WITH_CHOLMOD
 #include "developable/mesh/mesh.h"
+#include "multifrontal.h"
 #include "permuted_lower.h"
 
 #include <Eigen/CholmodSupport>
-#include <dense_threads.h>
 #include <new>
 #include <out_of_memory.h>
 #else
@@ -38,19 +38,30 @@ public:
 		// CHOLMOD only reads the order.
 		m_cholmodFactor = cholmod_analyze_p(&view, const_cast<int*>(order.data()), nullptr, 0, &cholmod());
 		requireMemory();
+		const cholmod_factor& factor = *m_cholmodFactor;
+		const auto integers = [](const void* array) { return static_cast<const int*>(array); };
+		multifrontal_ = std::make_unique<Multifrontal>(Supernodes{static_cast<int>(factor.nsuper),
+																  integers(factor.super), integers(factor.pi),
+																  integers(factor.px), integers(factor.s)});
 		m_isInitialized = true;
 		m_analysisIsOk = 1;
 		m_factorizationIsOk = 0;
 	}
 
 	void findNumbers(const SparseMatrix& matrix) {
-		const DenseThreads threads(threadsAtHand());
 		forgetOutOfMemory();
-		if (matrix.isCompressed() && matrix.nonZeros() < largeMatrix)
-			factorizePermuted(matrix);
-		else
-			factorize(matrix);
+		constexpr int asLower = 1, supernodal = 1, packed = 1,
+					  monotonic = 1; // as CHOLMOD's own routine has it
+		if (m_cholmodFactor->xtype == CHOLMOD_PATTERN)
+			cholmod_change_factor(CHOLMOD_REAL, asLower, supernodal, packed, monotonic, m_cholmodFactor,
+								  &cholmod());
 		requireMemory();
+		const bool found = matrix.isCompressed() && matrix.nonZeros() < largeMatrix
+							   ? factorizePermuted(matrix)
+							   : factorizeLarge(matrix);
+		requireMemory();
+		m_cholmodFactor->minor = found ? m_cholmodFactor->n : 0;
+		m_info = found ? Eigen::Success : Eigen::NumericalIssue;
 	}
 
 	/// Of any number of columns. CHOLMOD finds all it works with allocated: it would not notice if the first
@@ -79,36 +90,40 @@ public:
 private:
 	static constexpr Eigen::Index largeMatrix = 2000000; ///< its places would take too much memory
 
-	/// Hands the matrix over in the order of elimination. CHOLMOD would permute it twice, anew each time,
-	/// which is up to a quarter of the work on a small one.
-	void factorizePermuted(const SparseMatrix& matrix) {
+	/// CHOLMOD would permute the matrix twice, anew each time, which is up to a quarter of the work on a
+	/// small one.
+	bool factorizePermuted(const SparseMatrix& matrix) {
 		permuted_.permute(matrix, static_cast<const int*>(m_cholmodFactor->Perm));
-		cholmod_sparse view = viewOf(permuted_.matrix());
-		double noShift[] = {0, 0};
-		cholmod_super_numeric(&view, nullptr, noShift, m_cholmodFactor, &cholmod());
-		m_info = m_cholmodFactor->minor == m_cholmodFactor->n ? Eigen::Success : Eigen::NumericalIssue;
+		return eliminate(permuted_.matrix());
+	}
+
+	bool factorizeLarge(const SparseMatrix& matrix) {
+		constexpr int withNumbers = 1;
+		const auto permuted = [this](cholmod_sparse* from, void* order) {
+			const auto free = [this](cholmod_sparse* old) { cholmod_free_sparse(&old, &cholmod()); };
+			std::unique_ptr<cholmod_sparse, decltype(free)> result(
+				cholmod_ptranspose(from, withNumbers, static_cast<int*>(order), nullptr, 0, &cholmod()),
+				free);
+			requireMemory();
+			return result;
+		};
+		cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+		const auto upper = permuted(&view, m_cholmodFactor->Perm);
+		const auto lower = permuted(upper.get(), nullptr);
+		const auto* const starts = static_cast<const int*>(lower->p);
+		const Eigen::Index rows = matrix.rows();
+		return eliminate({rows, rows, starts[rows], starts, static_cast<const int*>(lower->i),
+						  static_cast<const double*>(lower->x)});
+	}
+
+	bool eliminate(const Eigen::Map<const SparseMatrix>& lower) {
+		return multifrontal_->factorize(lower, threadsAtHand(), static_cast<double*>(m_cholmodFactor->x));
 	}
 
 	/// \throws std::bad_alloc  when CHOLMOD has had too little memory since it was forgotten
 	void requireMemory() {
 		if (m_cholmodFactor == nullptr || cholmod().status == CHOLMOD_TOO_LARGE || wasOutOfMemory() != 0)
 			throw std::bad_alloc();
-	}
-
-	/// Of a lower triangle.
-	static cholmod_sparse viewOf(const Eigen::Map<const SparseMatrix>& lower) {
-		cholmod_sparse view = {};
-		view.nrow = view.ncol = std::size_t(lower.cols());
-		view.nzmax = std::size_t(lower.nonZeros());
-		view.p = const_cast<int*>(lower.outerIndexPtr()); // CHOLMOD only reads
-		view.i = const_cast<int*>(lower.innerIndexPtr());
-		view.x = const_cast<double*>(lower.valuePtr());
-		view.stype = -1;
-		view.itype = CHOLMOD_INT;
-		view.xtype = CHOLMOD_REAL;
-		view.dtype = CHOLMOD_DOUBLE;
-		view.packed = 1;
-		return view;
 	}
 
 	template <class Numbers>
@@ -124,6 +139,7 @@ private:
 	}
 
 	PermutedLower permuted_;
+	std::unique_ptr<const Multifrontal> multifrontal_;
 };
 
 #else
