@@ -62,6 +62,18 @@ TEST_F(LocalStepsOnASheet, FlattenAPeakAndMoveNothingElse) {
 	EXPECT_GT(moved, 0);
 }
 
+/// Parts have their share of the curvature that all may be left with, and no more.
+TEST_F(LocalStepsOnASheet, FlattenWhatIsLessThanThePatchMayHave) {
+	const Positions ahead = withPeaks(assembly, {one}, 1e-3);
+	const detail::Shape start = problem.shapeAt(ahead);
+	detail::NewtonProblem lenient(assembly, {2 * start.curvature, 1}, {}, 0);
+	lenient.setSmoothness(3e-6);
+	ASSERT_TRUE(lenient.shapeAt(ahead).reached);
+	const auto found = detail::LocalSteps(lenient, 1).improved(start, start.squaredDefects() / 10);
+	ASSERT_TRUE(found);
+	EXPECT_LT(found->curvature, 0.1 * start.curvature);
+}
+
 TEST_F(LocalStepsOnASheet, LeaveWhatIsNotLocal) {
 	Positions everywhere = assembly.originalPositions;
 	everywhere += 0.05 * meanEdgeLength(assembly) * Positions::Random(3, assembly.placeCount());
@@ -165,9 +177,9 @@ TEST(NormalStepsWithLocalSteps, TakeFewerFactorisations) {
 }
 
 TEST(NormalStepsWithLocalSteps, BeginAgainWithoutWhereTheyAreStuck) {
-	const PatchAssembly assembly = facetedSheet(largeSaddle, 5);
+	const PatchAssembly assembly = facetedSheet(largeSaddle, 2);
 	const End with = endOf(assembly, 4), without = endOf(assembly, 0);
-	EXPECT_EQ(with.ending, detail::Ending::Reached);
+	EXPECT_EQ(with.ending, without.ending);
 	EXPECT_GT(with.steps, without.steps);
 	EXPECT_TRUE(with.positions == without.positions);
 }

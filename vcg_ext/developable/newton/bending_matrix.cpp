@@ -76,12 +76,28 @@ SparseMatrix BendingMatrix::plates(const Smoothness& smoothness) {
 	const Eigen::ArrayXd weights =
 		(smoothness.ofPatches.array() * patchArea.square() + smoothness.ofPart * partArea.square()) /
 		areas_.sum();
+	if ((weights == 0).all())
+		return plates();
 	const double multiple = weights[0] / unit[0];
 	if (((weights - multiple * unit).abs() > roundingOfWeights * weights).any())
 		return plates(Eigen::VectorXd(weights));
 	if (!unitPlates_)
 		unitPlates_ = std::make_shared<const SparseMatrix>(plates(Eigen::VectorXd(unit)));
 	return multiple * *unitPlates_;
+}
+
+/// None, with entries for what is stiffer later.
+SparseMatrix BendingMatrix::plates() const {
+	std::vector<Entry> entries;
+	entries.reserve(assembly_.placeCount() + 3 * static_cast<std::size_t>(assembly_.triangleCount()));
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		entries.emplace_back(place, place, 0);
+	for (const auto places : assembly_.trianglePlaces.colwise())
+		for (int corner = 0; corner < 3; ++corner) {
+			const int a = places[corner], b = places[nextCorner(corner)];
+			entries.emplace_back(std::max(a, b), std::min(a, b), 0);
+		}
+	return sum(entries);
 }
 
 /// \param weights  per patch, of ∫|d''|²

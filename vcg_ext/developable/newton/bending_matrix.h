@@ -47,6 +47,7 @@ private:
 
 	SparseMatrix plates(const Smoothness& smoothness);
 	SparseMatrix plates(const Eigen::VectorXd& weights) const;
+	SparseMatrix plates() const;
 	SparseMatrix rods(const Smoothness& smoothness, double rods) const;
 	SparseMatrix sum(const std::vector<Entry>& entries) const;
 

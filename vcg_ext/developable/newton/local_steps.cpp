@@ -40,12 +40,32 @@ PartialAssembly surroundingsOf(const PatchAssembly& assembly, const std::vector<
 	return part;
 }
 
+/// In which the places of each part are eliminated: as they are among those of the whole.
+std::vector<std::vector<int>> ordersOf(const std::vector<AssemblyPart>& parts,
+									   const std::vector<int>& wholePlace,
+									   const std::vector<int>& wholeOrder) {
+	std::vector<int> rank(wholeOrder.size());
+	for (std::size_t i = 0; i < wholeOrder.size(); ++i)
+		rank[wholeOrder[i]] = static_cast<int>(i);
+	std::vector<std::vector<int>> orders;
+	orders.reserve(parts.size());
+	for (const AssemblyPart& part : parts) {
+		std::vector<int>& order = orders.emplace_back(part.wholePlace.size());
+		std::iota(order.begin(), order.end(), 0);
+		std::sort(order.begin(), order.end(), [&](int a, int b) {
+			return rank[wholePlace[part.wholePlace[a]]] < rank[wholePlace[part.wholePlace[b]]];
+		});
+	}
+	return orders;
+}
+
 } // namespace
 
 std::optional<Shape> LocalSteps::improved(Shape ahead, double before) const {
 	const NewtonTuning& tuning = problem_.tuning();
 	std::optional<Shape> best;
-	for (int round = 0; round < tuning.localRounds; ++round) {
+	for (int round = 0; round < tuning.localRounds && ahead.squaredDefects() > tuning.normalGood * before;
+		 ++round) {
 		const std::vector<int> rows = worstRows(ahead, before);
 		if (rows.empty())
 			break;
@@ -87,13 +107,16 @@ Shape LocalSteps::afterRound(const Shape& shape, const std::vector<int>& rows) c
 	const PartialAssembly surroundings = surroundingsOf(assembly, free);
 	const Positions from = shape.positions(Eigen::all, surroundings.wholePlace);
 	const std::vector<AssemblyPart> parts = partsOf(surroundings.assembly);
+	std::vector<std::vector<int>> orders =
+		ordersOf(parts, surroundings.wholePlace, problem_.metric().eliminationOrder());
 	std::vector<WorkBudget> work(parts.size());
 	std::vector<Positions> found(parts.size());
 	std::vector<Task> tasks;
 	tasks.reserve(parts.size());
 	for (std::size_t i = 0; i < parts.size(); ++i)
 		tasks.push_back({double(parts[i].assembly.placeCount()), [&, i](const Progress&) {
-							 found[i] = stepsOf(parts[i], from(Eigen::all, parts[i].wholePlace), work[i]);
+							 found[i] = stepsOf(parts[i], std::move(orders[i]),
+												from(Eigen::all, parts[i].wholePlace), work[i]);
 						 }});
 	runTasks(tasks, 0, {});
 	Positions positions = from;
@@ -106,11 +129,15 @@ Shape LocalSteps::afterRound(const Shape& shape, const std::vector<int>& rows) c
 	return problem_.shapeAt(whole);
 }
 
-Positions LocalSteps::stepsOf(const AssemblyPart& part, const Positions& from, WorkBudget& work) const {
+Positions LocalSteps::stepsOf(const AssemblyPart& part, std::vector<int> order, const Positions& from,
+							  WorkBudget& work) const {
 	NewtonTuning tuning = problem_.tuning();
 	tuning.localRounds = 0;
-	NewtonProblem problem(part.assembly, problem_.goal(), tuning, problem_.memoryLimit());
-	problem.setSmoothness(problem_.smoothness());
+	CurvatureGoal goal = problem_.goal();
+	goal.curvatureTolerance *= double(part.assembly.placeCount()) / problem_.assembly().placeCount();
+	NewtonProblem problem(part.assembly, goal, tuning, problem_.memoryLimit());
+	problem.metric().eliminateIn(std::move(order));
+	problem.setSmoothness(0); // nothing beside that of the whole, and what is dear to find
 	problem.jacobian().freeBorders(true);
 	const Progress silent;
 	NewtonRun run(problem, from, tuning.localSteps, silent);

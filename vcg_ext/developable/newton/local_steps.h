@@ -32,8 +32,10 @@ private:
 
 	/// Each part round some of the rows takes steps.
 	Shape afterRound(const Shape& shape, const std::vector<int>& rows) const;
-	/// \param work  becomes what that took
-	Positions stepsOf(const AssemblyPart& part, const Positions& from, WorkBudget& work) const;
+	/// \param order  of elimination
+	/// \param work   becomes what that took
+	Positions stepsOf(const AssemblyPart& part, std::vector<int> order, const Positions& from,
+					  WorkBudget& work) const;
 
 	const NewtonProblem& problem_;
 	const double farthest_;

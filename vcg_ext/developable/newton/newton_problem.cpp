@@ -22,7 +22,6 @@ std::unique_ptr<NewtonProblem> NewtonProblem::another() const {
 }
 
 void NewtonProblem::setSmoothness(double smoothness) {
-	smoothness_ = smoothness;
 	metric_.setSmoothness({Eigen::VectorXd::Constant(assembly_.patchCount(), smoothness), shapeSmoothness_});
 	if (metric_.eliminationOrder().empty())
 		findEliminationOrder();

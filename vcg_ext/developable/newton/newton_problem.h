@@ -48,7 +48,6 @@ public:
 	/// The metric anew: every triangle is as stiff as at first.
 	/// \param smoothness  α, the same in all patches
 	void setSmoothness(double smoothness);
-	double smoothness() const { return smoothness_; }
 
 	Shape shapeAt(const Positions& positions) const;
 
@@ -104,7 +103,6 @@ private:
 	Soundness soundness_;
 	std::optional<NormalSystem> normalSystem_;
 	const double shapeSmoothness_; // φ
-	double smoothness_ = 0;        // α
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 };
 

@@ -65,6 +65,7 @@ NewtonStrategy NewtonStrategy::coarser(bool fairerElsewhere) const {
 	if (!isCoarse_) {
 		result.goal_.farthest *= tuning_.coarseRoom;
 		result.tuning_.preferredMove *= tuning_.coarseRoom;
+		result.tuning_.localRows = tuning_.coarseLocalRows;
 	}
 	result.tuning_.localPlaces = static_cast<int>(tuning_.localPlaces / tuning_.levelRatio);
 	result.isCoarse_ = true;

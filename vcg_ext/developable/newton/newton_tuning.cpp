@@ -71,10 +71,12 @@ std::vector<TuningConstant> constantsOfSteps() {
 		{"normalHalvings", &NewtonTuning::normalHalvings},
 		{"localPlaces", &NewtonTuning::localPlaces},
 		{"localRows", &NewtonTuning::localRows},
+		{"coarseLocalRows", &NewtonTuning::coarseLocalRows},
 		{"localRings", &NewtonTuning::localRings},
 		{"localSteps", &NewtonTuning::localSteps},
 		{"localRounds", &NewtonTuning::localRounds},
 		{"localShare", &NewtonTuning::localShare},
+		{"localGood", &NewtonTuning::localGood},
 	};
 }
 

@@ -73,12 +73,14 @@ struct NewtonTuning {
 	int normalHalvings = 7;          ///< of a step until ε is raised instead
 
 	// Local steps, where a step along the normals leaves too much near few places.
-	int localPlaces = 20000; ///< more on the finest level: fewer are quick without
-	double localRows = 0.03; ///< share of all rows: more are not local
-	int localRings = 2;      ///< round a row's place, that move
-	int localSteps = 4;      ///< in a round
-	int localRounds = 4;     ///< after a step
-	double localShare = 0.5; ///< of |g|² that a round may leave
+	int localPlaces = 20000;       ///< more on the finest level: fewer are quick without
+	double localRows = 0.1;        ///< share of all rows: more are not local
+	double coarseLocalRows = 0.03; ///< the same on coarser levels, which the shape's large features are from
+	int localRings = 2;            ///< round a row's place, that move
+	int localSteps = 4;            ///< in a round
+	int localRounds = 4;           ///< after a step
+	double localShare = 0.5;       ///< of |g|² that a round may leave
+	double localGood = 0.2; ///< share of |g|² that a good step leaves at most, once there have been such
 
 	// Every step.
 	int halvings = 9;        ///< of a step in all three directions: a shorter one is not worth its system

@@ -47,7 +47,7 @@ Ending NormalSteps::go() {
 /// Smaller after a full step, the more so the more it removed; larger where the step had to be cut short.
 double NormalSteps::epsilonFactor(double shareLeft, double length) const {
 	const NewtonTuning& tuning = problem_.tuning();
-	if (shareLeft < tuning.normalGood)
+	if (shareLeft < (mayGoLocally_ && wentLocally_ ? tuning.localGood : tuning.normalGood))
 		return shareLeft < tuning.normalVeryGood ? tuning.normalFastDecrease : tuning.normalDecrease;
 	if (length == 0)
 		return tuning.normalRetry;
