@@ -2,6 +2,7 @@
 // Local steps repair what a whole step has spoilt near few places, and leave the others where they are.
 #include "developable/newton/local_steps.h"
 
+#include "developable/newton/newton_attempt.h"
 #include "developable/newton/normal_steps.h"
 #include "newton_problems.h"
 #include "threads_allowed.h"
@@ -128,6 +129,21 @@ TEST_F(LocalStepsOnASheet, KeepTheBoundOnDisplacements) {
 	EXPECT_LE(farthest(bound), bound);
 }
 
+TEST_F(LocalStepsOnASheet, FollowAWholeStepThatLeavesMoreThanItMay) {
+	const Positions start = withPeaks(assembly, {one}, 0.02), peak = withPeaks(assembly, {other}, 0.3);
+	const Progress silent;
+	detail::NewtonRun run(problem, start, 10, silent);
+	const double before = run.shape().squaredDefects();
+	const detail::LocalSteps steps(problem, 1);
+	ASSERT_GT(squared(peak), before);
+	EXPECT_EQ(steps.step(run, peak - start, 1.01 * squared(peak) / before), 0); // as much may be left
+	EXPECT_EQ(run.shape().squaredDefects(), before);
+	EXPECT_EQ(steps.step(run, peak - start, 1), 1);
+	EXPECT_LT(run.shape().squaredDefects(), 0.1 * before);
+	EXPECT_LT((run.shape().positions.col(one) - assembly.originalPositions.col(one)).norm(),
+			  1e-6 * meanEdgeLength(assembly)); // as the whole step has it
+}
+
 /// A surface of few flat facets, each of many triangles: whole steps spoil places on them.
 PatchAssembly facetedSheet(const Surface& surface, int facets) {
 	return assembled(jitteredGrid(
@@ -142,6 +158,22 @@ PatchAssembly facetedSheet(const Surface& surface, int facets) {
 								   b * ((1 - a) * corner(0, 1) + a * corner(1, 1)));
 		},
 		0.25));
+}
+
+TEST(RestorationWithLocalSteps, TakesFewerFactorisations) {
+	const auto stepsOf = [](const PatchAssembly& assembly, int rounds) {
+		NewtonTuning tuning;
+		tuning.localRounds = rounds;
+		detail::NewtonProblem problem = problemOf(assembly, tuning);
+		const detail::AttemptResult end =
+			detail::restoreFrom(problem, assembly.originalPositions, 3e-6, 200, {});
+		EXPECT_EQ(end.ending, detail::Ending::Reached);
+		expectSound(assembly, end.positions);
+		return end.iterations;
+	};
+	for (const PatchAssembly& assembly : {facetedSheet(largeSaddle, 3), facetedSheet(largeSaddle, 5),
+										  facetedSheet(bumpedCylinder, 7), facetedSheet(bumpedCylinder, 11)})
+		EXPECT_LT(stepsOf(assembly, 4), stepsOf(assembly, 0));
 }
 
 /// How steps along the normals end, with so many rounds of local steps or without.

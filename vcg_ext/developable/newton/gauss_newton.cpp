@@ -2,6 +2,8 @@
 // gauss_newton.cpp: the direction of a step, and the step along it.
 #include "gauss_newton.h"
 
+#include "local_steps.h"
+
 namespace developable::detail {
 
 GaussNewton::GaussNewton(NewtonProblem& problem, NewtonRun& run, bool stiffens, double farthest)
@@ -44,6 +46,11 @@ double GaussNewton::step(double tau, double epsilon) {
 	}
 	if (stopped_)
 		return 0;
+	if (tau == 0) {
+		const double length = LocalSteps(problem_, farthest_).step(run_, whole, 1);
+		if (length > 0)
+			return length;
+	}
 	const Positions displacement = problem_.displacement(run_.shape());
 	const double slope = tau * problem_.metric().apply(displacement).cwiseProduct(whole).sum() +
 						 problem_.jacobian().apply(whole).dot(run_.shape().scaledDefects) / epsilon;

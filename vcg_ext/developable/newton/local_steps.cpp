@@ -61,6 +61,15 @@ std::vector<std::vector<int>> ordersOf(const std::vector<AssemblyPart>& parts,
 
 } // namespace
 
+double LocalSteps::step(NewtonRun& run, const Positions& whole, double may) const {
+	const double before = run.shape().squaredDefects();
+	const std::optional<Shape> ahead = run.ahead(whole, farthest_);
+	if (!ahead || ahead->squaredDefects() <= may * before)
+		return 0;
+	const std::optional<Shape> after = improved(*ahead, before);
+	return after ? run.descendDefects(after->positions - run.shape().positions, 0, farthest_) : 0;
+}
+
 std::optional<Shape> LocalSteps::improved(Shape ahead, double before) const {
 	const NewtonTuning& tuning = problem_.tuning();
 	std::optional<Shape> best;
@@ -131,16 +140,14 @@ Shape LocalSteps::afterRound(const Shape& shape, const std::vector<int>& rows) c
 
 Positions LocalSteps::stepsOf(const AssemblyPart& part, std::vector<int> order, const Positions& from,
 							  WorkBudget& work) const {
-	NewtonTuning tuning = problem_.tuning();
-	tuning.localRounds = 0;
 	CurvatureGoal goal = problem_.goal();
 	goal.curvatureTolerance *= double(part.assembly.placeCount()) / problem_.assembly().placeCount();
-	NewtonProblem problem(part.assembly, goal, tuning, problem_.memoryLimit());
+	NewtonProblem problem(part.assembly, goal, problem_.tuning(), problem_.memoryLimit());
 	problem.metric().eliminateIn(std::move(order));
 	problem.setSmoothness(0); // nothing beside that of the whole, and what is dear to find
 	problem.jacobian().freeBorders(true);
 	const Progress silent;
-	NewtonRun run(problem, from, tuning.localSteps, silent);
+	NewtonRun run(problem, from, problem_.tuning().localSteps, silent);
 	NormalSteps(problem, run, farthest_).run();
 	work = problem.budget();
 	return run.shape().positions;

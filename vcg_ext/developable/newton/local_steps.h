@@ -2,13 +2,13 @@
 // local_steps.h: steps of the few places near which a step of all of them leaves too much curvature.
 #pragma once
 
-#include "newton_problem.h"
+#include "newton_run.h"
 
 #include <optional>
 
 namespace developable::detail {
 
-/// A whole step of a large surface often does what it should nearly everywhere, and yet leaves more curvature
+/// A whole step often does what it should nearly everywhere, and yet leaves more curvature
 /// than there was, at a few places that it takes beyond where the derivative holds. To shorten it for these
 /// would hold up all others. So it is taken, and the places near those take steps of their own from there,
 /// with the others held still: nonlinear elimination (Lanzkron, Rose and Wilkes 1996, An analysis of
@@ -18,6 +18,11 @@ class LocalSteps {
 public:
 	/// \param farthest  how far from the original a place may go, length
 	LocalSteps(const NewtonProblem& problem, double farthest) : problem_(problem), farthest_(farthest) {}
+
+	/// Takes a whole step that leaves more than it may, and local steps after it.
+	/// \param may  share of |g|² that it may leave by itself
+	/// \return     1; 0 where it is not taken: it leaves less, is not sound, or local steps are of no use
+	double step(NewtonRun& run, const Positions& whole, double may) const;
 
 	/// \param ahead   where a whole step leads
 	/// \param before  |g|² before that step

@@ -84,14 +84,10 @@ Positions NormalSteps::wholeStep() const {
 double NormalSteps::stepWithLocalSteps() {
 	if (!mayGoLocally_)
 		return 0;
-	const std::optional<Shape> ahead = run_.ahead(firstStep_, farthest_);
-	if (!ahead || ahead->squaredDefects() <= problem_.tuning().normalGood * squaredDefects())
-		return 0;
-	const std::optional<Shape> improved = LocalSteps(problem_, farthest_).improved(*ahead, squaredDefects());
-	if (!improved)
-		return 0;
-	wentLocally_ = true;
-	return run_.descendDefects(improved->positions - run_.shape().positions, 0, farthest_);
+	const double length =
+		LocalSteps(problem_, farthest_).step(run_, firstStep_, problem_.tuning().normalGood);
+	wentLocally_ = wentLocally_ || length > 0;
+	return length;
 }
 
 double NormalSteps::stepsWithOneFactorization() {
