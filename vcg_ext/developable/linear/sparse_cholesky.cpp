@@ -50,11 +50,11 @@ public:
 
 	void findNumbers(const SparseMatrix& matrix) {
 		forgetOutOfMemory();
-		constexpr int asLower = 1, supernodal = 1, packed = 1,
-					  monotonic = 1; // as CHOLMOD's own routine has it
+		// As CHOLMOD's own routine has it: L Lᵀ, not L D Lᵀ.
+		constexpr int withoutDiagonal = 1, supernodal = 1, packed = 1, monotonic = 1;
 		if (m_cholmodFactor->xtype == CHOLMOD_PATTERN)
-			cholmod_change_factor(CHOLMOD_REAL, asLower, supernodal, packed, monotonic, m_cholmodFactor,
-								  &cholmod());
+			cholmod_change_factor(CHOLMOD_REAL, withoutDiagonal, supernodal, packed, monotonic,
+								  m_cholmodFactor, &cholmod());
 		requireMemory();
 		const bool found = matrix.isCompressed() && matrix.nonZeros() < largeMatrix
 							   ? factorizePermuted(matrix)
@@ -108,8 +108,7 @@ private:
 			return result;
 		};
 		cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
-		const auto upper = permuted(&view, m_cholmodFactor->Perm);
-		const auto lower = permuted(upper.get(), nullptr);
+		const auto lower = permuted(permuted(&view, m_cholmodFactor->Perm).get(), nullptr); // first the upper
 		const auto* const starts = static_cast<const int*>(lower->p);
 		const Eigen::Index rows = matrix.rows();
 		return eliminate({rows, rows, starts[rows], starts, static_cast<const int*>(lower->i),
