@@ -144,7 +144,7 @@ Positions LocalSteps::stepsOf(const AssemblyPart& part, std::vector<int> order, 
 	goal.curvatureTolerance *= double(part.assembly.placeCount()) / problem_.assembly().placeCount();
 	NewtonProblem problem(part.assembly, goal, problem_.tuning(), problem_.memoryLimit());
 	problem.metric().eliminateIn(std::move(order));
-	problem.setSmoothness(0); // nothing beside that of the whole, and what is dear to find
+	problem.setSmoothness(0); // on so small an area it counts for nothing, and is dear to find
 	problem.jacobian().freeBorders(true);
 	const Progress silent;
 	NewtonRun run(problem, from, problem_.tuning().localSteps, silent);

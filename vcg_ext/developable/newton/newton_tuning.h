@@ -72,8 +72,8 @@ struct NewtonTuning {
 	double normalShortStep = 0.3;    ///< length below which a step is short
 	int normalHalvings = 7;          ///< of a step until ε is raised instead
 
-	// Local steps, where a step along the normals leaves too much near few places.
-	int localPlaces = 20000;       ///< more on the finest level: fewer are quick without
+	// Local steps, where a whole step leaves too much near few places.
+	int localPlaces = 20000;       ///< more, for steps along the normals: fewer are quick without
 	double localRows = 0.1;        ///< share of all rows: more are not local
 	double coarseLocalRows = 0.03; ///< the same on coarser levels, which the shape's large features are from
 	int localRings = 2;            ///< round a row's place, that move
