@@ -73,6 +73,37 @@ TEST(Fairness, ShortestStepsLeaveAloneWhatNeedsMore) {
 	EXPECT_EQ(run.shape().positions, assembly.originalPositions);
 }
 
+TEST(Fairness, ShortestStepsForeseeWhatNeedsMore) {
+	// Every vertex could lose its own angle defect, but not all together.
+	const PatchAssembly assembly = assembled(grid(41, 41, bumpedCylinder));
+	const Progress silent;
+	const auto steps = [&](int foresight) {
+		NewtonTuning tuning;
+		tuning.shortestMove = 0.1;
+		tuning.shortestForesight = foresight;
+		detail::NewtonProblem problem = problemOf(assembly, tuning);
+		problem.jacobian().freeBorders(true);
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		EXPECT_EQ(detail::ShortestSteps(problem, run).run(), detail::Ending::Stuck);
+		return run.iterations();
+	};
+	EXPECT_EQ(steps(NewtonTuning().shortestForesight), 0);
+	EXPECT_GT(steps(0), 0);
+}
+
+TEST(Fairness, ShortestStepsEndWhereRoundingDoes) {
+	TriangleMesh mesh = grid(31, 31, coneBand);
+	mesh.positions = mesh.positions.cast<float>().cast<double>();
+	const PatchAssembly assembly = assembled(mesh);
+	detail::NewtonProblem problem(assembly, {1e-300, 1e-300}, {}, 0);
+	problem.jacobian().freeBorders(true);
+	const Progress silent;
+	detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+	EXPECT_EQ(detail::ShortestSteps(problem, run).run(), detail::Ending::Stuck);
+	EXPECT_LT(run.shape().curvature, 1e-9);
+	EXPECT_LT(run.iterations(), NewtonTuning().shortestSteps / 2);
+}
+
 /// x² − y² over squares with alternating diagonals, vertices in another order for each seed.
 TriangleMesh symmetricSaddle(int seed) {
 	const int n = 21;

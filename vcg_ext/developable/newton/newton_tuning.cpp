@@ -56,6 +56,8 @@ std::vector<TuningConstant> constantsOfSteps() {
 		{"nearlyThere", &NewtonTuning::nearlyThere},
 		{"shortestMove", &NewtonTuning::shortestMove},
 		{"shortestSteps", &NewtonTuning::shortestSteps},
+		{"shortestPatience", &NewtonTuning::shortestPatience},
+		{"shortestForesight", &NewtonTuning::shortestForesight},
 		{"shortestDamping", &NewtonTuning::shortestDamping},
 		{"firstDamping", &NewtonTuning::firstDamping},
 		{"normalPatience", &NewtonTuning::normalPatience},

@@ -56,6 +56,8 @@ struct NewtonTuning {
 	// Shortest steps, for what is developable but for rounding.
 	double shortestMove = 1e-3;    ///< share of the shortest edge that a place may move by
 	int shortestSteps = 30;        ///< until that is given up
+	int shortestPatience = 3;      ///< steps in a row that are no good
+	int shortestForesight = 30;    ///< of conjugate gradients, which may show beforehand that it takes more
 	double shortestDamping = 1e-3; ///< of the first, share of the mean diagonal of J M⁻¹ Jᵀ
 
 	// Steps along the normals.
