@@ -21,6 +21,27 @@ TEST(NewtonStrategy, ReachesADevelopableShapeThroughNoiseHolesAndSeams) {
 	expectConverges(sewnPatches(41), 0.02);
 }
 
+TEST(NewtonStrategy, HardlyMovesWhatIsNearlyDevelopable) {
+	const auto slightBump = [](double u, double v) {
+		const double distance = (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5);
+		return Eigen::Vector3d(coneBand(u, v) + 3e-4 * std::exp(-25 * distance) * Eigen::Vector3d::UnitZ());
+	};
+	for (const int columns : {21, 51}) {
+		const PatchAssembly assembly = assembled(grid(columns, columns, slightBump));
+		ConstrainedNewtonOptions options;
+		Positions near = assembly.originalPositions, far = near;
+		const ConstrainedNewtonReport report = constrainedNewton(assembly, near, options);
+		options.tuning.nearSteps = 0;
+		const ConstrainedNewtonReport usual = constrainedNewton(assembly, far, options);
+		ASSERT_EQ(report.status, Status::Converged);
+		ASSERT_EQ(usual.status, Status::Converged);
+		EXPECT_LE(report.iterations, usual.iterations);
+		EXPECT_LT(meanDisplacement(assembly, near), meanDisplacement(assembly, far));
+		EXPECT_LE(farthestMove(assembly, near),
+				  options.tuning.nearMove * boxDiagonal(assembly.originalPositions));
+	}
+}
+
 TEST(NewtonStrategy, MovesNoFartherThanWithoutLevels) {
 	const PatchAssembly assembly = assembled(jitteredGrid(45, 45, bumpedCylinder));
 	detail::NewtonProblem problem = problemOf(assembly);

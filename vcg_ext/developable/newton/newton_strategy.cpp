@@ -77,7 +77,7 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 									const Progress& progress) const {
 	const Level finest = levelOf(assembly, 1);
 	if (!finest.fair) {
-		NewtonOutcome outcome = solveShortest(finest, start, progress);
+		NewtonOutcome outcome = solveNear(finest, start, progress);
 		if (outcome.ending != Ending::Stuck)
 			return outcome;
 	}
@@ -90,13 +90,24 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 	return free.solveLevel(finest, start, progress);
 }
 
-NewtonOutcome NewtonStrategy::solveShortest(const Level& level, const Positions& start,
-											const Progress& progress) const {
+/// What is all but developable needs neither coarser levels nor a continuation.
+NewtonOutcome NewtonStrategy::solveNear(const Level& level, const Positions& start,
+										const Progress& progress) const {
 	const std::unique_ptr<NewtonProblem> problem = problemOf(level);
 	problem->jacobian().freeBorders(true);
-	NewtonRun run(*problem, start, maxIterations_, progress);
-	const Ending ending = ShortestSteps(*problem, run).run();
-	return {ending, run.iterations(), run.shape().positions};
+	NewtonRun shortest(*problem, start, maxIterations_, progress);
+	const double most = tuning_.nearCurvature * goal_.curvatureTolerance;
+	const bool near = shortest.startCurvature() < most && tuning_.nearSteps > 0;
+	const Ending ending = ShortestSteps(*problem, shortest).run();
+	if (ending != Ending::Stuck || !near)
+		return {ending, shortest.iterations(), shortest.shape().positions};
+	problem->setSmoothness(smoothness_);
+	constexpr double shareBefore = 0.05; // of the time
+	const Progress before = partOf(progress, 0, shareBefore);
+	NewtonRun run(*problem, start, std::min(maxIterations_, tuning_.nearSteps), before);
+	const double farthest = std::min(goal_.farthest, tuning_.nearMove * problem->diagonal());
+	const Ending along = NormalSteps(*problem, run, farthest).run();
+	return {along == Ending::OutOfSteps ? Ending::Stuck : along, run.iterations(), run.shape().positions};
 }
 
 NewtonStrategy::Level NewtonStrategy::levelOf(const PatchAssembly& assembly, double coarseness) const {

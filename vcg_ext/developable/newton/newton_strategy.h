@@ -46,8 +46,8 @@ private:
 	std::unique_ptr<NewtonProblem> problemOf(const Level& level) const;
 	/// One whose solution begins at that of a coarser level.
 	std::unique_ptr<NewtonProblem> fineProblemOf(const Level& level) const;
-	/// What is developable but for rounding needs no more than that. Stuck where it is not.
-	NewtonOutcome solveShortest(const Level& level, const Positions& start, const Progress& progress) const;
+	/// What is developable but for rounding, or nearly, needs no more than that. Stuck where it is not.
+	NewtonOutcome solveNear(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome solveLevel(const Level& level, const Positions& start, const Progress& progress) const;
 	NewtonOutcome solveByCoarser(const Level& level, const Positions& start, const Progress& progress) const;
 	/// Whether developable shapes are made fairer on this level, which is the finest that is not too dear.

@@ -60,6 +60,11 @@ struct NewtonTuning {
 	int shortestForesight = 30;    ///< of conjugate gradients, which may show beforehand that it takes more
 	double shortestDamping = 1e-3; ///< of the first, share of the mean diagonal of J M⁻¹ Jᵀ
 
+	// Steps along the normals from the original itself, for what is all but developable.
+	double nearCurvature = 100; ///< times what is allowed in the end
+	double nearMove = 1e-3;     ///< share of the diagonal that a place may move by
+	int nearSteps = 6;          ///< until that is given up
+
 	// Steps along the normals.
 	double firstDamping = 0.01;      ///< share of ‖N u‖²_W in the trace of the first system
 	int normalPatience = 5;          ///< steps in a row that change next to nothing

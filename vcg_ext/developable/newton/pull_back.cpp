@@ -33,14 +33,21 @@ bool goBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 }
 
 Ending stepsWithin(NewtonProblem& problem, NewtonRun& run, double bound, int rounds) {
+	std::optional<Shape> best; // heavy places may be in the way of more than they lead to
 	for (int round = 1;; ++round) {
 		NormalSteps steps(problem, run, bound);
 		if (rounds > 1)
 			steps.allowLocalSteps();
 		const Ending ending = steps.run();
-		if (ending != Ending::Stuck || round == rounds || !weighPlacesAtBound(problem, run.shape(), bound))
-			return ending;
-		run.restart();
+		if (!best || run.shape().squaredDefects() < best->squaredDefects())
+			best = run.shape();
+		if (ending == Ending::Stuck && round < rounds && weighPlacesAtBound(problem, run.shape(), bound)) {
+			run.restart();
+			continue;
+		}
+		if (ending != Ending::Reached)
+			run.goBackTo(*best);
+		return ending;
 	}
 }
 
