@@ -245,8 +245,13 @@ NewtonOutcome NewtonStrategy::refine(NewtonProblem& problem, const CoarseShape& 
 	problem.forgetNormalSystem();
 	const AttemptResult restored =
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
-	return {restored.ending, outcome.iterations + restored.iterations, restored.positions,
-			coarse.nearestDevelopable, coarse.bordersLimited};
+	outcome.ending = restored.ending;
+	outcome.iterations += restored.iterations;
+	const PatchAssembly& assembly = problem.assembly();
+	if (restored.ending == Ending::Reached || lessCurved(assembly, flatDefects(assembly, restored.positions),
+														 flatDefects(assembly, outcome.positions)))
+		outcome.positions = restored.positions;
+	return outcome;
 }
 
 } // namespace developable::detail
