@@ -10,14 +10,17 @@ namespace {
 
 /// Of the progress: most often the careful attempt is the only one.
 constexpr double shareOfCareful = 0.6;
+/// Of what the careful attempt leaves to the free one, which may be less by its last step.
+constexpr double shareOfReserve = 0.9;
 
 /// An attempt that may be needed next, on another thread. It has a problem of its own, and what work and
 /// steps there were when the one before it began.
 class AttemptAhead {
 public:
-	AttemptAhead(const NewtonProblem& problem, const Positions& start, AttemptSetting setting)
-		: budget_(std::make_shared<WorkBudget>(problem.budget().left(), problem.budget().extraLeft())),
-		  setting_(setting), task_([this, &problem, &start](const Progress& progress) {
+	/// \param work  that it may take, in units of WorkBudget
+	AttemptAhead(const NewtonProblem& problem, const Positions& start, AttemptSetting setting, double work)
+		: budget_(std::make_shared<WorkBudget>(work, problem.budget().extraLeft())), setting_(setting),
+		  task_([this, &problem, &start](const Progress& progress) {
 			  const std::unique_ptr<NewtonProblem> own = problem.another();
 			  own->setBudget(budget_);
 			  result_ = attempt(*own, start, setting_, progress);
@@ -54,8 +57,9 @@ public:
 	Attempts(NewtonProblem& problem, const Positions& start, double smoothness, int maxIterations,
 			 const Progress& progress)
 		: problem_(problem), start_(start), smoothness_(smoothness), maxIterations_(maxIterations),
-		  progress_(progress), startDefects_(flatDefects(problem.assembly(), start)),
-		  leastDefects_(startDefects_) {
+		  progress_(progress),
+		  workWhenFree_(shareOfReserve * problem.tuning().reserveOfCareful * problem.budget().left()),
+		  startDefects_(flatDefects(problem.assembly(), start)), leastDefects_(startDefects_) {
 		best_.positions = best_.free = start;
 	}
 
@@ -77,7 +81,7 @@ private:
 		return {smoothness_, false, maxIterations_ - best_.iterations, stiffens_};
 	}
 	AttemptResult takeCareful(int steps);
-	AttemptResult takeFree();
+	AttemptResult takeFree(bool again);
 	/// Counts steps.
 	void note(const AttemptResult& result);
 	void keepIfBest(const AttemptResult& result);
@@ -87,6 +91,7 @@ private:
 	const double smoothness_;
 	const int maxIterations_;
 	const Progress& progress_;
+	const double workWhenFree_; ///< after a careful attempt
 	const Eigen::VectorXd startDefects_;
 	Eigen::VectorXd leastDefects_;
 	NewtonOutcome best_;
@@ -108,11 +113,15 @@ AttemptResult Attempts::takeCareful(int steps) {
 				   });
 }
 
-AttemptResult Attempts::takeFree() {
+AttemptResult Attempts::takeFree(bool again) {
 	const Progress progress = partOf(progress_, shareOfCareful, 1);
 	const AttemptSetting setting = freeSetting();
-	if (ahead_ && ahead_->begun() && ahead_->finish(setting, problem_.budget(), progress))
+	if (!again)
+		return attempt(problem_, start_, setting, progress);
+	WorkBudget& budget = problem_.budget();
+	if (ahead_ && ahead_->begun() && ahead_->finish(setting, budget, progress))
 		return ahead_->result();
+	const WorkReserve reserve(budget, 1 - std::min(1.0, workWhenFree_ / budget.left()));
 	return attempt(problem_, start_, setting, progress);
 }
 
@@ -140,7 +149,7 @@ void Attempts::keepIfBest(const AttemptResult& result) {
 
 bool Attempts::beCareful(int steps) {
 	if (threadsAtHand() > 1)
-		ahead_ = std::make_unique<AttemptAhead>(problem_, start_, freeSetting());
+		ahead_ = std::make_unique<AttemptAhead>(problem_, start_, freeSetting(), workWhenFree_);
 	AttemptResult result = takeCareful(steps);
 	if (result.ending == Ending::OutOfSteps && steps < maxIterations_)
 		result.ending = Ending::Stuck;
@@ -156,11 +165,11 @@ bool Attempts::beCareful(int steps) {
 }
 
 void Attempts::beFree(bool again) {
-	const AttemptResult result = takeFree();
+	const AttemptResult result = takeFree(again);
 	note(result);
-	// The attempt before had ended by itself.
+	// The attempt before had ended by itself, or the work was spent before the steps were.
 	if ((again && result.ending == Ending::Unsolvable) ||
-		(result.ending == Ending::OutOfSteps && problem_.budget().spent()))
+		(result.ending == Ending::OutOfSteps && best_.iterations < maxIterations_))
 		best_.ending = Ending::Stuck;
 	if (best_.ending == Ending::Stopped)
 		return;
