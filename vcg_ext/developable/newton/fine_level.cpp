@@ -62,7 +62,9 @@ std::optional<Positions> preferredStart(const NewtonProblem& problem, const Coar
 
 /// Steps that keep the preferred bound leave little curvature, which a restoration removes.
 Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
-	const Ending ending = NormalSteps(problem, run, problem.preferredMove()).run();
+	NormalSteps along(problem, run, problem.preferredMove());
+	along.allowLocalSteps();
+	const Ending ending = along.run();
 	const bool near = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
 	if (ending != Ending::Stuck || !near || !isSmallEnoughToReturn(problem))
 		return ending;
