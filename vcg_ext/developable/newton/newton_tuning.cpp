@@ -54,6 +54,12 @@ std::vector<TuningConstant> constantsOfSteps() {
 		{"restorationSlow", &NewtonTuning::restorationSlow},
 		{"restorationShortStep", &NewtonTuning::restorationShortStep},
 		{"nearlyThere", &NewtonTuning::nearlyThere},
+	};
+}
+
+/// Of the shortest steps, those along the normals, and local ones.
+std::vector<TuningConstant> constantsOfNormalSteps() {
+	return {
 		{"shortestMove", &NewtonTuning::shortestMove},
 		{"shortestSteps", &NewtonTuning::shortestSteps},
 		{"shortestPatience", &NewtonTuning::shortestPatience},
@@ -172,18 +178,19 @@ std::vector<TuningConstant> constantsOfStrategy() {
 	};
 }
 
-std::vector<TuningConstant> joined(std::vector<TuningConstant> constants,
-								   const std::vector<TuningConstant>& others) {
-	constants.insert(constants.end(), others.begin(), others.end());
-	return constants;
+std::vector<TuningConstant> joined(const std::vector<std::vector<TuningConstant>>& groups) {
+	std::vector<TuningConstant> all;
+	for (const std::vector<TuningConstant>& constants : groups)
+		all.insert(all.end(), constants.begin(), constants.end());
+	return all;
 }
 
 } // namespace
 
 const std::vector<TuningConstant>& tuningConstants() {
 	static const std::vector<TuningConstant> constants =
-		joined(joined(constantsOfSteps(), constantsOfAllSteps()),
-			   joined(constantsOfBounds(), constantsOfStrategy()));
+		joined({constantsOfSteps(), constantsOfNormalSteps(), constantsOfAllSteps(), constantsOfBounds(),
+				constantsOfStrategy()});
 	return constants;
 }
 
