@@ -8,8 +8,8 @@ namespace developable::detail {
 
 /// Steps s = −M⁻¹ Jᵀ (J M⁻¹ Jᵀ + ε)⁻¹ g, the shortest to g = 0 where M are the places' masses (Wang 2008,
 /// least norm). They wrinkle what they move far, so they are for places that move by next to nothing beside
-/// their edges: then no fold can be seen, and what is nearest is best. \return Reached; Stuck, with the start
-/// as it was, where more than that is needed; Stopped
+/// their edges: then no fold can be seen, and what is nearest is best.
+/// \return Reached; Stuck where more than that is needed: then the shape is of no use; Stopped
 class ShortestSteps {
 public:
 	ShortestSteps(NewtonProblem& problem, NewtonRun& run);
