@@ -2,7 +2,7 @@
 // shortest_steps.cpp: whether a surface is all but developable, and the steps that are left.
 #include "shortest_steps.h"
 
-#include "developable/linear/conjugate_gradients.h"
+#include "developable/linear/linear.h"
 
 namespace developable::detail {
 
