@@ -74,6 +74,14 @@ inline Eigen::Vector3d coneBand(double u, double v) {
 	return {radius * std::cos(2 * u), radius * std::sin(2 * u), 0.7 * v};
 }
 
+/// The same with a bump of some height, at some u.
+inline Surface bumpedCone(double height, double middle) {
+	return [=](double u, double v) -> Eigen::Vector3d {
+		const double distance = (u - middle) * (u - middle) + (v - 0.5) * (v - 0.5);
+		return coneBand(u, v) + height * std::exp(-25 * distance) * Eigen::Vector3d::UnitZ();
+	};
+}
+
 /// A cap of a sphere of the given radius over a square of side radius.
 inline Surface sphereCap(double radius) {
 	return [radius](double u, double v) -> Eigen::Vector3d {

@@ -28,11 +28,7 @@ TEST(Fairness, BordersDoNotKink) {
 TEST(Fairness, BordersOfWhatIsNearlyDevelopableDoNotKink) {
 	for (const double middle : {0.5, 0.8, 1.0})
 		for (const double height : {3e-5, 3e-4, 1e-3}) {
-			const PatchAssembly assembly = assembled(grid(41, 41, [&](double u, double v) {
-				const double distance = (u - middle) * (u - middle) + (v - 0.5) * (v - 0.5);
-				return Eigen::Vector3d(coneBand(u, v) +
-									   height * std::exp(-25 * distance) * Eigen::Vector3d::UnitZ());
-			}));
+			const PatchAssembly assembly = assembled(grid(41, 41, bumpedCone(height, middle)));
 			Positions positions = assembly.originalPositions;
 			EXPECT_TRUE(converged(constrainedNewton(assembly, positions, {}).status));
 			EXPECT_LT(mostTurnGained(assembly, positions), 0.5 * pi / 180);

@@ -22,12 +22,8 @@ TEST(NewtonStrategy, ReachesADevelopableShapeThroughNoiseHolesAndSeams) {
 }
 
 TEST(NewtonStrategy, HardlyMovesWhatIsNearlyDevelopable) {
-	const auto slightBump = [](double u, double v) {
-		const double distance = (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5);
-		return Eigen::Vector3d(coneBand(u, v) + 3e-4 * std::exp(-25 * distance) * Eigen::Vector3d::UnitZ());
-	};
 	for (const int columns : {21, 51}) {
-		const PatchAssembly assembly = assembled(grid(columns, columns, slightBump));
+		const PatchAssembly assembly = assembled(grid(columns, columns, bumpedCone(3e-4, 0.5)));
 		ConstrainedNewtonOptions options;
 		Positions near = assembly.originalPositions, far = near;
 		const ConstrainedNewtonReport report = constrainedNewton(assembly, near, options);

@@ -50,6 +50,10 @@ std::string announce(const PatchAssembly& assembly, double seconds) {
 	return size + ", about " + std::to_string(std::lround(seconds / 60)) + " min: ";
 }
 
+bool isLessCurved(const PatchAssembly& assembly, const Positions& shape, const Positions& other) {
+	return lessCurved(assembly, flatDefects(assembly, shape), flatDefects(assembly, other));
+}
+
 } // namespace
 
 NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const CurvatureGoal& goal,
@@ -97,7 +101,7 @@ NewtonOutcome NewtonStrategy::solveNear(const Level& level, const Positions& sta
 	problem->jacobian().freeBorders(true);
 	NewtonRun shortest(*problem, start, maxIterations_, progress);
 	const double most = tuning_.nearCurvature * goal_.curvatureTolerance;
-	const bool near = shortest.startCurvature() < most && tuning_.nearSteps > 0;
+	const bool near = shortest.startCurvature() < most;
 	const Ending ending = ShortestSteps(*problem, shortest).run();
 	if (ending != Ending::Stuck || !near)
 		return {ending, shortest.iterations(), shortest.shape().positions};
@@ -227,8 +231,7 @@ void NewtonStrategy::goOnToLeastSquares(NewtonProblem& problem, const Positions&
 	NewtonRun run(problem, from, steps, progress);
 	const Ending ending = NormalSteps(problem, run, problem.goal().farthest).run();
 	outcome.iterations += run.iterations();
-	if (lessCurved(assembly, flatDefects(assembly, run.shape().positions),
-				   flatDefects(assembly, outcome.positions)))
+	if (isLessCurved(assembly, run.shape().positions, outcome.positions))
 		outcome.positions = run.shape().positions;
 	// Least squares are approached slowly: to run out of steps there is no more than to be stuck.
 	if (ending != Ending::OutOfSteps)
@@ -247,9 +250,8 @@ NewtonOutcome NewtonStrategy::refine(NewtonProblem& problem, const CoarseShape& 
 		restoreFrom(problem, outcome.positions, smoothness_, maxIterations_ - outcome.iterations, progress);
 	outcome.ending = restored.ending;
 	outcome.iterations += restored.iterations;
-	const PatchAssembly& assembly = problem.assembly();
-	if (restored.ending == Ending::Reached || lessCurved(assembly, flatDefects(assembly, restored.positions),
-														 flatDefects(assembly, outcome.positions)))
+	if (restored.ending == Ending::Reached ||
+		isLessCurved(problem.assembly(), restored.positions, outcome.positions))
 		outcome.positions = restored.positions;
 	return outcome;
 }
