@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// found_panels.cpp: searches that begin with clusters of several sizes.
+// found_panels.cpp: searches that begin with clusters of several sizes, the most promising first.
 #include "found_panels.h"
 
 #include "mirror_plane.h"
 #include "panel_plan.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -15,15 +17,19 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double clusterDeviations[] = {0.15, 0.25, 0.08}; ///< of clusters; see ClusterOptions
-constexpr double littleWork = 3e5;                         ///< triangles, which take seconds
+constexpr double clusterDeviations[] = {0.15, 0.25, 0.35, 0.08}; ///< of clusters; see ClusterOptions
+constexpr double finestDeviation = 0.1; ///< finer clusters take long to join where there are many triangles
+constexpr int manyTriangles = 2000;
+constexpr double littleWork = 3e5; ///< triangles, which take seconds
+constexpr int mostSearches = 2;    ///< of those that take longer
+
+bool isBetter(const CutSurface& a, const CutSurface& b) {
+	const int panels = a.usedPanelCount(), otherPanels = b.usedPanelCount();
+	return panels != otherPanels ? panels < otherPanels : seamLength(a) < seamLength(b);
+}
 
 bool isBetter(const FoundPanels& a, const FoundPanels& b) {
-	const CutSurface &first = a.planned.front().surface, &second = b.planned.front().surface;
-	const int panels = first.usedPanelCount(), otherPanels = second.usedPanelCount();
-	if (a.hold != b.hold)
-		return a.hold;
-	return panels != otherPanels ? panels < otherPanels : seamLength(first) < seamLength(second);
+	return a.hold != b.hold ? a.hold : isBetter(a.planned.front().surface, b.planned.front().surface);
 }
 
 FoundPanels foundBy(const PanelPlan& plan, bool hold) {
@@ -44,18 +50,83 @@ std::string perCent(double share) {
 	return text.data();
 }
 
+/// A search, and where it begins.
+class Start {
+public:
+	Start(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
+		  const Progress& progress)
+		: progress_(progress), plan_(patches, limits, options, [this](double done, const std::string& what) {
+			  return mayGoOn(progress_, done, what);
+		  }) {}
+	Start(const Start&) = delete;
+	Start& operator=(const Start&) = delete;
+
+	PanelPlan& plan() { return plan_; }
+	const CutSurface& surface() const { return plan_.planned().surface; }
+
+	/// The finer clusters are, the more there is to do.
+	Task joining() {
+		return {double(surface().usedPanelCount()), [this](const Progress& ofTask) {
+					const Progress ofWhole = std::exchange(progress_, ofTask);
+					plan_.join();
+					progress_ = ofWhole;
+				}};
+	}
+
+private:
+	Progress progress_; ///< of what goes on now
+	PanelPlan plan_;
+};
+
+using Starts = std::vector<std::unique_ptr<Start>>;
+
+/// Of seams in all, with as much more for each panel as a maker would give for one panel less.
+double price(const CutSurface& surface) {
+	constexpr double panelPrice = 0.1; // share of the seams
+	return seamLength(surface) * (1 + panelPrice * surface.usedPanelCount());
+}
+
+/// All joined, side by side, the most promising first: sewing takes longer than joining, and seldom changes
+/// which is best.
+Starts joinedStarts(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
+					const Progress& progress) {
+	constexpr double shareOfJoining = 0.7;
+	Starts starts;
+	std::set<std::vector<int>> begun; // what begins alike ends alike
+	std::vector<Task> tasks;
+	for (const double deviation : clusterDeviations) {
+		if (deviation < finestDeviation && patches.mesh.triangleCount() > manyTriangles)
+			continue;
+		auto start = std::make_unique<Start>(patches, limits, options, progress);
+		if (begun.insert(start->plan().cluster(deviation)).second || start->plan().stopped())
+			starts.push_back(std::move(start));
+		if (starts.back()->plan().stopped())
+			return starts;
+	}
+	for (const std::unique_ptr<Start>& start : starts)
+		tasks.push_back(start->joining());
+	runTasks(tasks, 0, partOf(progress, 0, shareOfJoining));
+	std::stable_sort(starts.begin(), starts.end(),
+					 [](const auto& a, const auto& b) { return price(a->surface()) < price(b->surface()); });
+	return starts;
+}
+
+/// Whether a start may come to more than what was found.
+bool mayBeBetter(const Start& start, const FoundPanels& found) {
+	constexpr double priceSewn = 0.85; // beside that before: seams become smooth
+	return !found.hold || priceSewn * price(start.surface()) < price(found.planned.front().surface);
+}
+
 } // namespace
 
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress) {
+	const Starts starts = joinedStarts(patches, limits, options, progress);
 	std::optional<FoundPanels> found;
-	std::set<std::vector<int>> begun; // what begins alike ends alike
 	double work = 0;
-	for (const double deviation : clusterDeviations) {
-		PanelPlan plan(patches, limits, options, progress);
-		if (!begun.insert(plan.cluster(deviation)).second && !plan.stopped())
-			continue;
-		const bool hold = plan.search();
+	for (std::size_t i = 0; i < starts.size(); ++i) {
+		PanelPlan& plan = starts[i]->plan();
+		const bool hold = !plan.stopped() && plan.search();
 		if (plan.stopped())
 			return foundBy(plan, hold);
 		if (found)
@@ -63,7 +134,8 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 		else
 			found = foundBy(plan, hold);
 		work += plan.work();
-		if (work > littleWork || seamChains(plan.planned().surface).empty())
+		if (i + 1 == starts.size() || seamChains(found->planned.front().surface).empty() ||
+			(work > littleWork && (i + 1 == mostSearches || !mayBeBetter(*starts[i + 1], *found))))
 			break;
 	}
 	return std::move(*found);

@@ -17,8 +17,9 @@ struct FoundPanels {
 	std::vector<std::string> notes; ///< as in CutReport
 };
 
-/// Joining is greedy, and where it ends is much a matter of where it begins: surfaces that take little time
-/// are tried from several sets of clusters. Of what holds the fewest panels are taken, of as many the
+/// Joining is greedy, and where it ends is much a matter of where it begins: it is done from several sets of
+/// clusters, and what comes to the fewest panels is sewn together first; others too where that divides panels
+/// again, and where it takes little time. Of what holds the fewest panels are taken, of as many the
 /// shortest seams. \param limits  per patch, how far its panels may move, length
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress);

@@ -92,20 +92,23 @@ const std::vector<int>& PanelPlan::cluster(double deviation) {
 	return clusters_;
 }
 
-/// As few panels as can be, if these hold when they are sewn together, or soon do; else those that were
-/// joined greedily, which are more and hold sooner.
-void PanelPlan::joinUntilAllHold() {
-	constexpr int roundsOfFew = 8, rounds = 12;
+void PanelPlan::join() {
 	joinPanels(planned_.surface, *tests_, history_);
-	const PlannedSurface joined = planned_;
+	joinedGreedily_ = planned_;
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
 	if (options_.darts && options_.splitTriangles)
 		joinWithRelief(planned_.surface, *tests_, history_, dartTips_, keptTriangles(planned_, options_));
-	const bool fewer = planned_.surface.usedPanelCount() < joined.surface.usedPanelCount();
+}
+
+/// As few panels as can be, if these hold when they are sewn together, or soon do; else those that were
+/// joined greedily, which are more and hold sooner.
+void PanelPlan::sewJoined() {
+	constexpr int roundsOfFew = 8, rounds = 12;
+	const bool fewer = planned_.surface.usedPanelCount() < joinedGreedily_->surface.usedPanelCount();
 	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() ||
 		sewing_->triesLeft <= 0)
 		return;
-	planned_ = joined;
+	planned_ = *joinedGreedily_;
 	dartTips_.clear();
 	sewUntilAllHold(rounds);
 }
@@ -219,7 +222,7 @@ SewnPanels PanelPlan::smoothSeams() {
 }
 
 bool PanelPlan::search() {
-	joinUntilAllHold();
+	sewJoined();
 	sewn_ = joinedWithDarts();
 	absorbSmallPanels();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {

@@ -28,7 +28,10 @@ public:
 	/// \return           per triangle
 	const std::vector<int>& cluster(double deviation);
 
-	/// Finds panels, once there are clusters. \return  whether all hold when they are sewn together
+	/// Joins clusters to panels that hold by themselves.
+	void join();
+
+	/// Finds panels that hold when they are sewn together, after these were joined. \return  whether all do
 	bool search();
 
 	/// The same with panels that mirror each other, without darts. Where some do not hold in the end they are
@@ -58,7 +61,7 @@ public:
 private:
 	void joinToSoFew();
 
-	void joinUntilAllHold();
+	void sewJoined();
 	void absorbSmallPanels();
 	bool absorb(int panel, int neighbour);
 	bool keepIfAllHold(CutSurface changed);
@@ -79,7 +82,7 @@ private:
 	const GivenPatches given_;
 	PlannedSurface planned_;
 	SewnPanels sewn_; // what becomes of it
-	std::optional<PlannedSurface> lessSmooth_;
+	std::optional<PlannedSurface> joinedGreedily_, lessSmooth_;
 	std::unique_ptr<PanelTests> tests_;
 	std::unique_ptr<PanelSewing> sewing_;
 	std::vector<int> clusters_; // per triangle, before any were joined

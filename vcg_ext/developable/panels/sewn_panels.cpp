@@ -157,8 +157,8 @@ double excess(const CutPanel& panel) {
 }
 
 /// On so many places; surfaces with hardly more of them are not worth a coarse level.
-constexpr int coarsePlaces = 1500;
-constexpr double worthWhile = 2; // times as many
+constexpr int coarsePlaces = 1000;
+constexpr double worthWhile = 1.5; // times as many
 
 /// The same as on the finest level, which follows the coarser ones, in a fraction of the time. Patterns are
 /// laid flat as fine as they are: whether borders cross is a matter of fractions of an edge.
