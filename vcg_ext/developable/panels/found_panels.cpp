@@ -36,6 +36,12 @@ FoundPanels foundBy(const PanelPlan& plan, bool hold) {
 	return {plan.found(), plan.sewn(), hold, plan.stopped(), {}};
 }
 
+FoundPanels stoppedPanels() {
+	FoundPanels found;
+	found.stopped = true;
+	return found;
+}
+
 /// The better of two first, the other behind it.
 void addSearch(FoundPanels& found, FoundPanels next) {
 	if (isBetter(next, found))
@@ -62,6 +68,8 @@ public:
 	Start& operator=(const Start&) = delete;
 
 	PanelPlan& plan() { return plan_; }
+	/// Also before it was joined.
+	bool stopped() const { return !joined_ || plan_.stopped(); }
 	const CutSurface& surface() const { return plan_.planned().surface; }
 
 	/// The finer clusters are, the more there is to do.
@@ -69,6 +77,7 @@ public:
 		return {double(surface().usedPanelCount()), [this](const Progress& ofTask) {
 					const Progress ofWhole = std::exchange(progress_, ofTask);
 					plan_.join();
+					joined_ = true;
 					progress_ = ofWhole;
 				}};
 	}
@@ -76,6 +85,7 @@ public:
 private:
 	Progress progress_; ///< of what goes on now
 	PanelPlan plan_;
+	bool joined_ = false;
 };
 
 using Starts = std::vector<std::unique_ptr<Start>>;
@@ -126,9 +136,9 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 	double work = 0;
 	for (std::size_t i = 0; i < starts.size(); ++i) {
 		PanelPlan& plan = starts[i]->plan();
-		const bool hold = !plan.stopped() && plan.search();
-		if (plan.stopped())
-			return foundBy(plan, hold);
+		const bool hold = !starts[i]->stopped() && plan.search();
+		if (starts[i]->stopped())
+			return stoppedPanels();
 		if (found)
 			addSearch(*found, foundBy(plan, hold));
 		else

@@ -9,7 +9,7 @@
 namespace developable::detail {
 
 struct FoundPanels {
-	/// The best first, others that may do where that does not hold; not empty.
+	/// The best first, others that may do where that does not hold; not empty but after a stop.
 	std::vector<PlannedSurface> planned;
 	SewnPanels sewn;   ///< what becomes of the best
 	bool hold = false; ///< whether they do when they are sewn together
