@@ -17,9 +17,6 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double clusterDeviations[] = {0.15, 0.25, 0.35, 0.08}; ///< of clusters; see ClusterOptions
-constexpr double finestDeviation = 0.1; ///< finer clusters take long to join where there are many triangles
-constexpr int manyTriangles = 2000;
 constexpr double littleWork = 3e5; ///< triangles, which take seconds
 constexpr int mostSearches = 2;    ///< of those that take longer
 
@@ -96,6 +93,17 @@ double price(const CutSurface& surface) {
 	return seamLength(surface) * (1 + panelPrice * surface.usedPanelCount());
 }
 
+/// Of clusters that searches begin with, see ClusterOptions. Where there are many triangles fine clusters
+/// take long to join, and all do with a material: a test of strain takes many times as long.
+std::vector<double> clusterDeviations(const GivenPatches& patches, const CutOptions& options) {
+	constexpr int manyTriangles = 2000;
+	if (patches.mesh.triangleCount() <= manyTriangles)
+		return {0.15, 0.25, 0.35, 0.08};
+	if (options.material.bounds.any())
+		return {0.15};
+	return {0.15, 0.25, 0.35};
+}
+
 /// All joined, side by side, the most promising first: sewing takes longer than joining, and seldom changes
 /// which is best.
 Starts joinedStarts(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
@@ -104,9 +112,7 @@ Starts joinedStarts(const GivenPatches& patches, const std::vector<double>& limi
 	Starts starts;
 	std::set<std::vector<int>> begun; // what begins alike ends alike
 	std::vector<Task> tasks;
-	for (const double deviation : clusterDeviations) {
-		if (deviation < finestDeviation && patches.mesh.triangleCount() > manyTriangles)
-			continue;
+	for (const double deviation : clusterDeviations(patches, options)) {
 		auto start = std::make_unique<Start>(patches, limits, options, progress);
 		if (begun.insert(start->plan().cluster(deviation)).second || start->plan().stopped())
 			starts.push_back(std::move(start));
