@@ -20,13 +20,12 @@ namespace {
 constexpr double littleWork = 3e5; ///< triangles, which take seconds
 constexpr int mostSearches = 2;    ///< of those that take longer
 
-bool isBetter(const CutSurface& a, const CutSurface& b) {
-	const int panels = a.usedPanelCount(), otherPanels = b.usedPanelCount();
-	return panels != otherPanels ? panels < otherPanels : seamLength(a) < seamLength(b);
-}
-
 bool isBetter(const FoundPanels& a, const FoundPanels& b) {
-	return a.hold != b.hold ? a.hold : isBetter(a.planned.front().surface, b.planned.front().surface);
+	const CutSurface &first = a.planned.front().surface, &second = b.planned.front().surface;
+	const int panels = first.usedPanelCount(), otherPanels = second.usedPanelCount();
+	if (a.hold != b.hold)
+		return a.hold;
+	return panels != otherPanels ? panels < otherPanels : seamLength(first) < seamLength(second);
 }
 
 FoundPanels foundBy(const PanelPlan& plan, bool hold) {

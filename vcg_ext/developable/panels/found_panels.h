@@ -18,9 +18,10 @@ struct FoundPanels {
 };
 
 /// Joining is greedy, and where it ends is much a matter of where it begins: it is done from several sets of
-/// clusters, and what comes to the fewest panels is sewn together first; others too where that divides panels
-/// again, and where it takes little time. Of what holds the fewest panels are taken, of as many the
-/// shortest seams. \param limits  per patch, how far its panels may move, length
+/// clusters, and what comes to short seams and few panels is sewn together first; another where it promises
+/// more than came of that, and all where it takes little time. Of what holds the fewest panels are taken, of
+/// as many the shortest seams.
+/// \param limits  per patch, how far its panels may move, length
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress);
 
