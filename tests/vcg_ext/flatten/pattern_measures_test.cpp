@@ -26,15 +26,16 @@ TEST(PatternMeasures, APieceThatOverlapsItselfIsReported) {
 	EXPECT_EQ(patterns.report.flippedFaces, 0);
 	EXPECT_LT(patterns.report.maxEdgeStrain, 1e-2);
 	EXPECT_EQ(patterns.report.notes.size(), 1u);
-	const auto [one, other] = patterns.pieces.front().crossing;
-	ASSERT_GE(std::min(one, other), 0);
+	const std::vector<std::array<int, 2>>& crossings = patterns.pieces.front().crossings;
+	ASSERT_GE(crossings.size(), 4u); // both ends with both sides
 	const auto middle = [&](int h) -> Eigen::Vector2d {
 		return (patterns.positions.col(patterns.vertexAt(h)) +
 				patterns.positions.col(patterns.vertexAt(nextCorner(h)))) /
 			   2;
 	};
-	EXPECT_LT((middle(one) - middle(other)).norm(), 0.2); // an edge is a tenth long, the ring 2.6 wide
-	EXPECT_EQ(flattened(grid(9, 4, flatSheet)).pieces.front().crossing, (std::array<int, 2>{-1, -1}));
+	for (const auto& [one, other] : crossings)
+		EXPECT_LT((middle(one) - middle(other)).norm(), 0.2); // an edge is a tenth long, the ring 2.6 wide
+	EXPECT_TRUE(flattened(grid(9, 4, flatSheet)).pieces.front().crossings.empty());
 }
 
 TEST(PatternMeasures, MapsAddUpToTheReport) {

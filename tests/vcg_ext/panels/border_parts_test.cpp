@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shorter way round a piece that is laid flat.
+// Where a piece that is laid flat crosses itself: the shorter ways round it.
 #include "developable/panels/border_parts.h"
 
 #include "panel_shapes.h"
@@ -10,7 +10,14 @@ namespace developable::test {
 namespace {
 
 using detail::BorderPart;
-using detail::shorterBorderPart;
+using detail::notchesOf;
+
+FlatPiece crossingAt(std::vector<std::array<int, 2>> crossings) {
+	FlatPiece piece;
+	piece.overlapping = true;
+	piece.crossings = std::move(crossings);
+	return piece;
+}
 
 /// The half edge of the border whose middle is there.
 int borderAt(const PatchAssembly& assembly, double x, double y) {
@@ -32,12 +39,32 @@ TEST(BorderParts, goTheShorterWay) {
 	const int low = borderAt(assembly, 0.0625, 0), left = borderAt(assembly, 0, 0.1875);
 	ASSERT_GE(std::min(low, left), 0);
 	for (const auto& ends : {std::array<int, 2>{low, left}, std::array<int, 2>{left, low}}) {
-		const BorderPart part = shorterBorderPart(patterns, ends);
+		const std::vector<BorderPart> notches = notchesOf(patterns, crossingAt({ends}));
+		ASSERT_EQ(notches.size(), 1U);
+		const BorderPart& part = notches.front();
 		EXPECT_EQ(part.halfEdges.size(), 3U); // round the corner
 		EXPECT_NEAR(part.share, 3.0 / 32, 1e-6);
 		EXPECT_EQ(std::min(part.halfEdges.front(), part.halfEdges.back()), std::min(low, left));
 		EXPECT_EQ(std::max(part.halfEdges.front(), part.halfEdges.back()), std::max(low, left));
 	}
+}
+
+/// Round two corners; the second pair of edges is within the first's way, and the last is across the place
+/// where the border's half edges begin to be counted.
+TEST(BorderParts, areNoPartsOfOthers) {
+	const PatchAssembly assembly =
+		assembled(grid(9, 9, [](double u, double v) { return Eigen::Vector3d(u, v, 0); }));
+	const FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions);
+	const int low = borderAt(assembly, 0.1875, 0), left = borderAt(assembly, 0, 0.1875);
+	const int lower = borderAt(assembly, 0.0625, 0), lefter = borderAt(assembly, 0, 0.0625);
+	const int high = borderAt(assembly, 0.9375, 1), right = borderAt(assembly, 1, 0.8125);
+	std::vector<BorderPart> notches =
+		notchesOf(patterns, crossingAt({{lower, lefter}, {low, left}, {right, high}, {low, left}}));
+	ASSERT_EQ(notches.size(), 2U);
+	EXPECT_NEAR(largestNotch(notches).share, 4.0 / 32, 1e-6);
+	EXPECT_EQ(largestNotch(notches).halfEdges.size(), 4U);
+	EXPECT_NEAR(notches[0].share + notches[1].share, 7.0 / 32, 1e-6);
+	EXPECT_TRUE(notchesOf(patterns, crossingAt({})).empty());
 }
 
 TEST(BorderParts, areOfOneBorder) {
@@ -55,7 +82,10 @@ TEST(BorderParts, areOfOneBorder) {
 	const FlatPatterns patterns = flattenPatches(ring, ring.originalPositions);
 	const int outer = borderAt(ring, 0.0625, 0), inner = borderAt(ring, 0.25, 0.4375);
 	ASSERT_GE(std::min(outer, inner), 0);
-	EXPECT_TRUE(shorterBorderPart(patterns, {outer, inner}).halfEdges.empty());
+	const std::vector<BorderPart> notches = notchesOf(patterns, crossingAt({{outer, inner}}));
+	ASSERT_EQ(notches.size(), 1U);
+	EXPECT_TRUE(notches.front().halfEdges.empty());
+	EXPECT_EQ(notches.front().share, 1);
 }
 
 /// Two triangles with a vertex in common: round it there are two ways on, and one never leads back.
@@ -66,8 +96,8 @@ TEST(BorderParts, areOfBordersThatDoNotTouchThemselves) {
 	patterns.triangles.resize(3, 2);
 	patterns.triangles << 0, 0, 1, 4, 2, 3;
 	patterns.joinedHalfEdge.assign(6, -1);
-	EXPECT_TRUE(shorterBorderPart(patterns, {0, 2}).halfEdges.empty());
-	EXPECT_FALSE(shorterBorderPart(patterns, {3, 5}).halfEdges.empty());
+	EXPECT_TRUE(notchesOf(patterns, crossingAt({{0, 2}})).front().halfEdges.empty());
+	EXPECT_FALSE(notchesOf(patterns, crossingAt({{3, 5}})).front().halfEdges.empty());
 }
 
 } // namespace

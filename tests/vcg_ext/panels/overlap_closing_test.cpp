@@ -148,22 +148,48 @@ SewnPanels overlappingFrom(const CutSurface& surface, double dart) {
 	panel.reason = panel.developable ? Reason::AsStatus : Reason::NeedsCut;
 	const double tip = seamLength(surface) - 0.125;
 	if (!panel.developable)
-		sewn.notches[surface.panelOf(0)] =
-			cutsOf(surface, surface.panelOf(0), [&](const Eigen::Vector3d& at) { return at[1] > tip; });
+		sewn.notches[surface.panelOf(0)] = {
+			cutsOf(surface, surface.panelOf(0), [&](const Eigen::Vector3d& at) { return at[1] > tip; })};
 	return sewn;
 }
 
+/// What is seen on the shape as it was takes no sewing; what comes to light after that does.
 TEST(OverlapClosing, goesOnUntilNothingOverlaps) {
+	for (const double seen : {0.25, 0.375, 1.0}) {
+		CutSurface surface = withDart();
+		int sewings = 0;
+		const SewnPanels sewn = closeOverlaps(
+			surface, {}, overlappingFrom(surface, 0.25),
+			{[&] {
+				 ++sewings;
+				 return overlappingFrom(surface, 0.25);
+			 },
+			 [&](const SewnPanels&) { return overlappingFrom(surface, seen); }, [] { return true; }});
+		EXPECT_EQ(worstOf(sewn), -1);
+		EXPECT_EQ(sewings, seen < 0.3 ? 1 : 2);
+		EXPECT_NEAR(seamLength(surface), 0.25, 1e-12);
+	}
+}
+
+/// Of two notches that one dart has the second is closed with the first.
+TEST(OverlapClosing, closesAllThatThereIs) {
 	CutSurface surface = withDart();
+	const int panel = surface.panelOf(0);
+	SewnPanels sewn = overlappingFrom(surface, 0.25);
+	const auto from = [&](double y) {
+		return cutsOf(surface, panel,
+					  [&](const Eigen::Vector3d& at) { return at[1] > y && at[1] < y + 0.125; });
+	};
+	sewn.notches[panel] = {from(0.25), from(0.375)};
 	int sewings = 0;
-	const SewnPanels sewn = closeOverlaps(surface, {}, overlappingFrom(surface, 0.25),
-										  {[&] {
-											   ++sewings;
-											   return overlappingFrom(surface, 0.25);
-										   },
-										   [] { return true; }});
-	EXPECT_EQ(worstOf(sewn), -1);
-	EXPECT_EQ(sewings, 2);
+	const detail::ClosingSteps steps{[&] {
+										 ++sewings;
+										 return overlappingFrom(surface, 0.25);
+									 },
+									 [&](const SewnPanels&) { return overlappingFrom(surface, 1); },
+									 [] { return true; }};
+	EXPECT_EQ(worstOf(closeOverlaps(surface, {}, sewn, steps)), -1);
+	EXPECT_EQ(sewings, 1);
 	EXPECT_NEAR(seamLength(surface), 0.25, 1e-12);
 }
 
@@ -171,8 +197,8 @@ TEST(OverlapClosing, isNotForPanelsThatFailForOtherReasons) {
 	CutSurface surface = withDart();
 	SewnPanels failing = overlappingFrom(surface, 0.25);
 	failing.notches.clear();
-	const detail::ClosingSteps steps{[]() -> SewnPanels { throw std::logic_error("sewn for nothing"); },
-									 [] { return true; }};
+	const auto never = []() -> SewnPanels { throw std::logic_error("sewn for nothing"); };
+	const detail::ClosingSteps steps{never, [&](const SewnPanels&) { return never(); }, [] { return true; }};
 	EXPECT_GE(worstOf(closeOverlaps(surface, {}, failing, steps)), 0);
 	EXPECT_NEAR(seamLength(surface), 0.5, 1e-12);
 }

@@ -50,11 +50,12 @@ std::vector<PieceCrossing> crossingPieces(const Eigen::Matrix2Xd& positions,
 					 active.end());
 		for (const BoundarySegment& other : active) {
 			PieceCrossing &one = crossing[segment.piece], &two = crossing[other.piece];
-			if ((one.crosses && two.crosses) || !cross(positions, segment, other, tolerance))
+			const bool same = segment.piece == other.piece;
+			if ((!same && one.crosses && two.crosses) || !cross(positions, segment, other, tolerance))
 				continue;
 			one.crosses = two.crosses = true;
-			if (segment.piece == other.piece)
-				one.itself = {segment.halfEdge, other.halfEdge};
+			if (same)
+				one.itself.push_back({segment.halfEdge, other.halfEdge});
 		}
 		active.push_back(segment);
 	}

@@ -15,8 +15,8 @@ struct BoundarySegment {
 };
 
 struct PieceCrossing {
-	bool crosses = false;                 ///< itself or another piece
-	std::array<int, 2> itself = {-1, -1}; ///< two half edges where it crosses itself
+	bool crosses = false;                   ///< itself or another piece
+	std::vector<std::array<int, 2>> itself; ///< pairs of half edges where it crosses itself
 };
 
 /// Per piece, where its boundary crosses itself, or whether it does another's. A disk without flips whose

@@ -43,8 +43,8 @@ struct FlatPiece {
 	std::array<int, 2> longestSide = {-1, -1}; ///< the ends of its longest seam, or side if it has none
 	int flippedFaces = 0;
 	int collapsedFaces = 0;
-	bool overlapping = false;               ///< with itself or another piece
-	std::array<int, 2> crossing = {-1, -1}; ///< two half edges of its boundary that cross, if any do
+	bool overlapping = false;                  ///< with itself or another piece
+	std::vector<std::array<int, 2>> crossings; ///< pairs of half edges of its boundary that cross
 	bool converged = false;
 	int iterations = 0;
 };

@@ -103,11 +103,11 @@ void findOverlaps(const PatchAssembly& assembly, FlatPatterns& patterns) {
 		if (patterns.joinedHalfEdge[h] < 0)
 			segments.push_back({patterns.vertexAt(h), patterns.vertexAt(nextCorner(h)),
 								assembly.patchOfTriangle[triangleOf(h)], h});
-	const std::vector<detail::PieceCrossing> crossing =
+	std::vector<detail::PieceCrossing> crossing =
 		detail::crossingPieces(patterns.positions, std::move(segments), assembly.patchCount());
 	for (int piece = 0; piece < assembly.patchCount(); ++piece) {
 		patterns.pieces[piece].overlapping = crossing[piece].crosses;
-		patterns.pieces[piece].crossing = crossing[piece].itself;
+		patterns.pieces[piece].crossings = std::move(crossing[piece].itself);
 	}
 }
 

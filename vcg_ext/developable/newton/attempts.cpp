@@ -64,7 +64,10 @@ public:
 	}
 
 	NewtonOutcome run() {
-		const int steps = std::min(maxIterations_, problem_.tuning().limitedSteps);
+		const NewtonTuning& tuning = problem_.tuning();
+		const int together = problem_.assembly().patchCount() > 1 ? tuning.togetherSteps : 0;
+		const int steps =
+			tuning.limitedSteps > 0 ? std::min(maxIterations_, tuning.limitedSteps + together) : 0;
 		const bool careful = steps > 0 || maxIterations_ == 0;
 		if (!careful || !beCareful(steps))
 			beFree(careful);
@@ -102,10 +105,10 @@ private:
 AttemptResult Attempts::takeCareful(int steps) {
 	const NewtonTuning& tuning = problem_.tuning();
 	const Progress progress = partOf(progress_, 0, shareOfCareful);
-	const WorkReserve reserve(problem_.budget(), tuning.reserveOfCareful);
+	WorkReserve reserve(problem_.budget(), tuning.reserveOfCareful);
 	const double patience =
 		problem_.budget().usedForTheRest() + tuning.workBeforeNext * problem_.assembly().placeCount();
-	return attempt(problem_, start_, {smoothness_, true, steps},
+	return attempt(problem_, start_, {smoothness_, true, steps, false, &reserve},
 				   [&](double fraction, const std::string& message) {
 					   if (ahead_ && !ahead_->begun() && problem_.budget().usedForTheRest() > patience)
 						   ahead_->begin();

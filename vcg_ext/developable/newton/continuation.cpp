@@ -11,6 +11,17 @@ Continuation::Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& 
 	epsilon_ *= share;
 }
 
+bool Continuation::weighFarPlaces() {
+	const NewtonTuning& tuning = problem_.tuning();
+	const Eigen::ArrayXd shares =
+		problem_.displacement(run_.shape()).colwise().norm().transpose().array() / bound_;
+	const Eigen::VectorXd& masses = problem_.metric().placeMass();
+	const Eigen::VectorXd more =
+		tuning.farPlace * masses.array() * shares.min(tuning.farMost).pow(tuning.farSharpness);
+	problem_.weigh(masses + more - problem_.metric().weight());
+	return problem_.metric().factorize();
+}
+
 Ending Continuation::follow() {
 	const NewtonTuning& tuning = problem_.tuning();
 	while (!run_.shape().reached) {
@@ -27,6 +38,8 @@ Ending Continuation::follow() {
 			return Ending::TooFar;
 		if (length == 0 || problem_.metric().tooStiff())
 			return Ending::Stuck;
+		if (bound_ > 0 && !weighFarPlaces())
+			return Ending::Unsolvable;
 		// Stiffer triangles make φ larger, so that ε falls the sooner.
 		const double decrease = 1 - steps_.merit(run_.shape(), epsilon_) / before;
 		const double distance = steps_.squaredDistance(run_.shape());

@@ -14,6 +14,11 @@ public:
 	/// \param share  of the first ε, to begin with
 	Continuation(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double share = 1);
 
+	/// With every step places become the heavier the farther they have come, such that others move in their
+	/// stead.
+	/// \param bound  the displacement at which they do, length; 0: none do
+	void makeFarPlacesHeavy(double bound) { bound_ = bound; }
+
 	/// \return Settled, when the curvature is all but gone and the distance has settled; Stuck, when it leads
 	///         no further; Reached; TooFar; Unsolvable; OutOfSteps; Stopped
 	Ending follow();
@@ -23,10 +28,14 @@ public:
 	double leastEpsilon() const { return leastEpsilon_; }
 
 private:
+	/// \return whether the metric can be factorised then
+	bool weighFarPlaces();
+
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	GaussNewton& steps_;
 	double epsilon_, leastEpsilon_;
+	double bound_ = 0; // no place becomes heavier
 };
 
 } // namespace developable::detail

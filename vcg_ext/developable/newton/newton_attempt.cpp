@@ -44,8 +44,10 @@ Ending restoreMoreFreely(NewtonProblem& problem, NewtonRun& run, GaussNewton& st
 }
 
 /// A continuation and, where that has not reached g = 0 by itself, a restoration.
-Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
+/// \param heavyFrom  see Continuation::makeFarPlacesHeavy; 0: none are
+Ending approach(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double heavyFrom = 0) {
 	Continuation continuation(problem, run, steps);
+	continuation.makeFarPlacesHeavy(heavyFrom);
 	const Ending ending = continuation.follow();
 	if (ending != Ending::Settled && ending != Ending::Stuck)
 		return ending;
@@ -77,22 +79,17 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 	return Ending::Stuck;
 }
 
-} // namespace
+using Way = std::function<Ending(NewtonRun&, GaussNewton&, AttemptResult&)>;
 
-AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
-					  const Progress& progress) {
-	const WorkBudget begin = problem.budget();
+/// \param start  without symmetry
+AttemptResult attemptOn(const Way& way, NewtonProblem& problem, const Positions& start,
+						const AttemptSetting& setting, const Progress& progress) {
 	problem.setSmoothness(setting.smoothness);
 	problem.jacobian().freeBorders(!setting.limitsBorders);
 	NewtonRun run(problem, withoutSymmetry(problem, start), setting.maxIterations, progress);
 	GaussNewton steps(problem, run, setting.stiffens);
 	AttemptResult result;
-	result.ending = Ending::Unsolvable;
-	if (!steps.unsolvable()) {
-		result.ending = approach(problem, run, steps);
-		result.cameNear = cameNear(problem, run);
-		result.ending = withinBound(result.ending, problem, run, steps, begin, result.nearestDevelopable);
-	}
+	result.ending = steps.unsolvable() ? Ending::Unsolvable : way(run, steps, result);
 	result.metLimits = steps.metLimits();
 	result.bordersLimited = !problem.jacobian().bordersFree();
 	result.iterations = run.iterations();
@@ -100,6 +97,72 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	const bool near = farthestMove(problem.assembly(), run.nearest()) <= problem.goal().farthest;
 	result.positions = near ? run.nearest() : start;
 	return result;
+}
+
+AttemptResult plainAttempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
+						   const Progress& progress) {
+	const WorkBudget begin = problem.budget();
+	return attemptOn(
+		[&](NewtonRun& run, GaussNewton& steps, AttemptResult& result) {
+			const Ending ending = approach(problem, run, steps);
+			result.cameNear = cameNear(problem, run);
+			if (ending == Ending::Reached && !run.farOff())
+				setting.nothingFollows();
+			return withinBound(ending, problem, run, steps, begin, result.nearestDevelopable);
+		},
+		problem, start, setting, progress);
+}
+
+/// With far places heavy all the way. Panels that are sewn together pull at each other: the shape that is
+/// nearest on average has places far away, and there are others without, hardly farther on average.
+AttemptResult attemptWithinPreferred(NewtonProblem& problem, const Positions& start, AttemptSetting setting,
+									 const Progress& progress) {
+	const NewtonTuning& tuning = problem.tuning();
+	const WorkBudget begin = problem.budget();
+	const double bound = problem.preferredMove();
+	setting.maxIterations = std::min(tuning.togetherSteps, setting.maxIterations / 2);
+	return attemptOn(
+		[&](NewtonRun& run, GaussNewton& steps, AttemptResult&) {
+			const Ending ending = approach(problem, run, steps, bound);
+			if (ending != Ending::Reached)
+				return ending == Ending::Stopped ? ending : Ending::Stuck;
+			if (run.farOff())
+				return Ending::Stuck;
+			setting.nothingFollows();
+			return run.shape().farthest <= tuning.pullBackReach * bound
+					   ? withinPreferred(problem, run, steps, begin)
+					   : Ending::Reached;
+		},
+		problem, start, setting, progress);
+}
+
+/// Whether a developable shape is within how far a place had better move, or nearly, and near on average.
+bool isNearEnough(const NewtonProblem& problem, const Positions& positions) {
+	const NewtonTuning& tuning = problem.tuning();
+	const Eigen::VectorXd shares =
+		displacementMap(problem.assembly().originalPositions, positions) / problem.preferredMove();
+	return shares.maxCoeff() <= 1 ||
+		   (shares.maxCoeff() <= tuning.pullBackReach && shares.mean() <= tuning.togetherMean);
+}
+
+} // namespace
+
+AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
+					  const Progress& progress) {
+	constexpr double shareWithin = 0.4; // of the time
+	if (problem.assembly().patchCount() == 1 || problem.preferredMove() == 0)
+		return plainAttempt(problem, start, setting, progress);
+	AttemptResult within = attemptWithinPreferred(problem, start, setting, partOf(progress, 0, shareWithin));
+	const bool developable = within.ending == Ending::Reached;
+	if (within.ending == Ending::Stopped || (developable && isNearEnough(problem, within.positions)))
+		return within;
+	AttemptSetting left = setting;
+	left.maxIterations -= within.iterations;
+	AttemptResult plain = plainAttempt(problem, start, left, partOf(progress, shareWithin, 1));
+	const bool better = !developable || plain.ending == Ending::Reached || plain.ending == Ending::Stopped;
+	AttemptResult& result = better ? plain : within;
+	result.iterations = within.iterations + plain.iterations;
+	return std::move(result);
 }
 
 AttemptResult restoreFrom(NewtonProblem& problem, const Positions& start, double smoothness,

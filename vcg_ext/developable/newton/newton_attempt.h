@@ -12,6 +12,13 @@ struct AttemptSetting {
 	bool limitsBorders = false; ///< borders may not kink
 	int maxIterations = 0;
 	bool stiffens = false; ///< triangles that are in the way are made stiffer from the start
+	/// Of the work, for what comes after this attempt: not kept any more where nothing does.
+	WorkReserve* forNext = nullptr;
+
+	void nothingFollows() const {
+		if (forNext != nullptr)
+			forNext->release();
+	}
 };
 
 /// What came of it.
@@ -27,6 +34,7 @@ struct AttemptResult {
 };
 
 /// From the start to a developable shape within the bound on displacements: a continuation and a restoration.
+/// Panels that are sewn together try to stay within how far a place had better move all the way first.
 AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
 					  const Progress& progress);
 

@@ -19,9 +19,11 @@ namespace {
 
 constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
-/// How many a coarser level is to have.
-int coarserPlaces(int places, const NewtonTuning& tuning) {
-	return std::max(tuning.coarsest, static_cast<int>(places / tuning.levelRatio));
+/// How many a coarser level is to have. From what is hardly more than the coarsest no other would be worth
+/// its while.
+int coarserPlaces(int places, int coarsest, const NewtonTuning& tuning) {
+	const int coarser = static_cast<int>(places / tuning.levelRatio);
+	return coarser * tuning.leastReduction < coarsest ? coarsest : coarser;
 }
 
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
@@ -29,13 +31,13 @@ int coarserPlaces(int places, const NewtonTuning& tuning) {
 struct ExpectedWork {
 	double coarsening = 0, onCoarser = 0, onFinest = 0;
 
-	ExpectedWork(int places, const NewtonTuning& tuning) {
+	ExpectedWork(int places, int coarsest, const NewtonTuning& tuning) {
 		constexpr double ofCoarsest = 900, ofFiner = 100, ofCoarsening = 20; // a place
-		onFinest = (places > tuning.coarsest ? ofFiner : ofCoarsest) * places;
-		if (places <= tuning.coarsest)
+		onFinest = (places > coarsest ? ofFiner : ofCoarsest) * places;
+		if (places <= coarsest)
 			return;
 		coarsening = ofCoarsening * places;
-		onCoarser = ExpectedWork(coarserPlaces(places, tuning), tuning).whole();
+		onCoarser = ExpectedWork(coarserPlaces(places, coarsest, tuning), coarsest, tuning).whole();
 	}
 	double whole() const { return coarsening + onCoarser + onFinest; }
 };
@@ -165,15 +167,17 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 											 const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
 	const int places = assembly.placeCount();
-	if (places <= tuning_.coarsest)
+	const int coarsest = assembly.patchCount() > 1 ? tuning_.coarsestTogether : tuning_.coarsest;
+	if (places <= coarsest)
 		return solveCoarsest(level, start, progress);
-	const PartialAssembly coarse = Coarsening(assembly, tuning_).coarsen(coarserPlaces(places, tuning_));
+	const PartialAssembly coarse =
+		Coarsening(assembly, tuning_).coarsen(coarserPlaces(places, coarsest, tuning_));
 	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)
 		return solveCoarsest(level, start, progress);
 	const double sizes = double(places) / coarse.assembly.placeCount();
 	const Level coarseLevel = levelOf(coarse.assembly, level.coarseness * std::sqrt(sizes));
 
-	const ExpectedWork work(places, tuning_);
+	const ExpectedWork work(places, coarsest, tuning_);
 	const double coarseBegin = work.coarsening / work.whole();
 	const double coarseEnd = coarseBegin + work.onCoarser / work.whole();
 	const auto begin = std::chrono::steady_clock::now();

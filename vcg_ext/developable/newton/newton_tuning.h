@@ -40,6 +40,13 @@ struct NewtonTuning {
 	double settledDistance = 0.05;  ///< change of ‖d‖² in a step: less means that nearness is found
 	double systemResidual = 0.05;   ///< what is left of a system: the next step corrects it
 
+	// The continuation of panels that are sewn together, within how far a place had better move.
+	double farPlace = 5;       ///< of its mass, that a place so far away is heavier by
+	double farSharpness = 8;   ///< power of the displacement's share of that move, which it is heavier by
+	double farMost = 2.5;      ///< of that share, where it is no heavier any more
+	int togetherSteps = 50;    ///< until that is given up
+	double togetherMean = 0.4; ///< share of that move that places may have on average, if some are beyond it
+
 	// Restoration: the shortest steps to g = 0.
 	int restorationPatience = 5;      ///< steps in a row that change next to nothing
 	double restorationIdle = 0.99;    ///< share of |g|² that is left by a step that changes next to nothing
@@ -171,6 +178,7 @@ struct NewtonTuning {
 
 	// Levels.
 	int coarsest = 1500;              ///< places; so few are solved directly
+	int coarsestTogether = 1000;      ///< the same of panels that are sewn together
 	double levelRatio = 4;            ///< between the numbers of places of two levels
 	double coarseRoom = 0.95;         ///< share of the bound on displacements that a coarser level has
 	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while

@@ -55,7 +55,9 @@ public:
 		if (budget.left() < std::numeric_limits<double>::infinity())
 			budget.reserved_ += share * std::max(0.0, budget.left());
 	}
-	~WorkReserve() { budget_.reserved_ = before_; }
+	~WorkReserve() { release(); }
+	/// Ends it sooner.
+	void release() { budget_.reserved_ = before_; }
 	WorkReserve(const WorkReserve&) = delete;
 	WorkReserve& operator=(const WorkReserve&) = delete;
 

@@ -3,49 +3,117 @@
 #include "border_parts.h"
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 namespace developable::detail {
 
 namespace {
 
-/// Half edges round a piece, in order; none where its border touches itself at a vertex, which has two ways
-/// on.
-std::vector<int> borderFrom(const FlatPatterns& patterns, int first) {
+/// Round a piece, from half edge to half edge.
+class Border {
+public:
+	/// \param leaving  per vertex a half edge of the borders that begins there
+	Border(const FlatPatterns& patterns, const std::vector<int>& leaving, int first) {
+		double length = 0;
+		for (int h = first; order_.size() < patterns.joinedHalfEdge.size();) {
+			place_[h] = static_cast<int>(order_.size());
+			order_.push_back(h);
+			begins_.push_back(length);
+			length += patterns.length(h);
+			h = leaving[patterns.vertexAt(nextCorner(h))];
+			if (h == first)
+				break;
+		}
+		begins_.push_back(length);
+		closed_ = leaving[patterns.vertexAt(nextCorner(order_.back()))] == first;
+	}
+
+	bool has(int halfEdge) const { return place_.count(halfEdge) > 0; }
+	/// Half edge by half edge from a first place on this border.
+	struct Way {
+		int first = 0, count = 0;
+		double length = 0;
+	};
+	Way shorterWay(int a, int b) const {
+		const Way one = way(place_.at(a), place_.at(b)), other = way(place_.at(b), place_.at(a));
+		return one.length <= other.length ? one : other;
+	}
+	bool isWithin(const Way& part, const Way& whole) const {
+		const int after = (part.first - whole.first + size()) % size();
+		return after + part.count <= whole.count;
+	}
+	BorderPart partOf(const Way& way) const {
+		BorderPart part;
+		for (int i = 0; i < way.count; ++i)
+			part.halfEdges.push_back(order_[(way.first + i) % size()]);
+		part.share = way.length / begins_.back();
+		return part;
+	}
+	/// A border that touches itself at a vertex has two ways on there, of which one may never lead back.
+	bool isClosed() const { return closed_; }
+
+private:
+	int size() const { return static_cast<int>(order_.size()); }
+	Way way(int from, int to) const {
+		const double whole = begins_.back();
+		const double between = begins_[to + 1] - begins_[from];
+		return from <= to ? Way{from, to - from + 1, between}
+						  : Way{from, to - from + 1 + size(), between + whole};
+	}
+
+	std::vector<int> order_;
+	std::vector<double> begins_; // of each, from the first on; and of all
+	std::unordered_map<int, int> place_;
+	bool closed_ = false;
+};
+
+std::vector<int> leavingHalfEdges(const FlatPatterns& patterns) {
 	std::vector<int> leaving(patterns.vertexCount(), -1);
 	for (int h = 0; h < static_cast<int>(patterns.joinedHalfEdge.size()); ++h)
 		if (patterns.joinedHalfEdge[h] < 0)
 			leaving[patterns.vertexAt(h)] = h;
-	std::vector<int> border;
-	for (int h = first; border.size() < patterns.joinedHalfEdge.size();) {
-		border.push_back(h);
-		h = leaving[patterns.vertexAt(nextCorner(h))];
-		if (h == first)
-			return border;
-	}
-	return {};
+	return leaving;
 }
 
-double lengthOf(const FlatPatterns& patterns, const std::vector<int>& halfEdges) {
-	double length = 0;
-	for (const int h : halfEdges)
-		length += patterns.length(h);
-	return length;
+/// Ways that are no part of others; of equal ones the first.
+std::vector<Border::Way> largestOf(std::vector<Border::Way> ways, const Border& border) {
+	std::stable_sort(ways.begin(), ways.end(),
+					 [](const auto& a, const auto& b) { return a.count > b.count; });
+	std::vector<Border::Way> largest;
+	for (const Border::Way& way : ways)
+		if (std::none_of(largest.begin(), largest.end(),
+						 [&](const Border::Way& other) { return border.isWithin(way, other); }))
+			largest.push_back(way);
+	return largest;
 }
 
 } // namespace
 
-BorderPart shorterBorderPart(const FlatPatterns& patterns, const std::array<int, 2>& ends) {
-	std::vector<int> border = borderFrom(patterns, ends[0]);
-	const double whole = lengthOf(patterns, border);
-	const auto last = std::find(border.begin(), border.end(), ends[1]);
-	if (last == border.end())
-		return {};
-	BorderPart part{std::vector<int>(border.begin(), last + 1), 0};
-	BorderPart other{std::vector<int>(last, border.end()), 0};
-	other.halfEdges.push_back(ends[0]);
-	for (BorderPart* one : {&part, &other})
-		one->share = lengthOf(patterns, one->halfEdges) / whole;
-	return part.share <= other.share ? part : other;
+std::vector<BorderPart> notchesOf(const FlatPatterns& patterns, const FlatPiece& piece) {
+	std::vector<std::pair<Border, std::vector<Border::Way>>> borders;
+	std::vector<int> leaving;
+	for (const auto& [a, b] : piece.crossings) {
+		auto at = std::find_if(borders.begin(), borders.end(),
+							   [first = a](const auto& one) { return one.first.has(first); });
+		if (leaving.empty())
+			leaving = leavingHalfEdges(patterns);
+		if (at == borders.end())
+			at = borders.insert(at, {Border(patterns, leaving, a), {}});
+		if (!at->first.isClosed() || !at->first.has(b))
+			return {BorderPart()};
+		at->second.push_back(at->first.shorterWay(a, b));
+	}
+	std::vector<BorderPart> notches;
+	for (const auto& [border, ways] : borders)
+		for (const Border::Way& way : largestOf(ways, border))
+			notches.push_back(border.partOf(way));
+	return notches;
+}
+
+const BorderPart& largestNotch(const std::vector<BorderPart>& notches) {
+	return *std::max_element(notches.begin(), notches.end(),
+							 [](const BorderPart& a, const BorderPart& b) { return a.share < b.share; });
 }
 
 } // namespace developable::detail

@@ -4,18 +4,22 @@
 
 #include "developable/flatten/flatten.h"
 
-#include <array>
 #include <vector>
 
 namespace developable::detail {
 
 struct BorderPart {
 	std::vector<int> halfEdges; ///< in order
-	double share = 0;           ///< of the border's length
+	double share = 1;           ///< of the border's length
 };
 
-/// From one half edge of a piece's border to another the way that is shorter, with both; none where they are
-/// of two borders, or the border touches itself.
-BorderPart shorterBorderPart(const FlatPatterns& patterns, const std::array<int, 2>& ends);
+/// Of each crossing of a piece with itself the shorter way along its border from one of the two half edges
+/// to the other, with both; ways that are parts of others are left out. Where the two are of two borders, or
+/// the border touches itself, it is the whole border, and no half edges are given.
+std::vector<BorderPart> notchesOf(const FlatPatterns& patterns, const FlatPiece& piece);
+
+/// That with the largest share of the border.
+/// \param notches  one or more
+const BorderPart& largestNotch(const std::vector<BorderPart>& notches);
 
 } // namespace developable::detail

@@ -126,10 +126,10 @@ Starts joinedStarts(const GivenPatches& patches, const std::vector<double>& limi
 	return starts;
 }
 
-/// Whether a start may come to more than what was found.
-bool mayBeBetter(const Start& start, const FoundPanels& found) {
+/// Whether panels that are yet to be sewn may come to more than what was found.
+bool mayBeBetter(const CutSurface& surface, const FoundPanels& found) {
 	constexpr double priceSewn = 0.85; // beside that before: seams become smooth
-	return !found.hold || priceSewn * price(start.surface()) < price(found.planned.front().surface);
+	return !found.hold || priceSewn * price(surface) < price(found.planned.front().surface);
 }
 
 } // namespace
@@ -141,7 +141,10 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 	double work = 0;
 	for (std::size_t i = 0; i < starts.size(); ++i) {
 		PanelPlan& plan = starts[i]->plan();
-		const bool hold = !starts[i]->stopped() && plan.search();
+		const auto isPromising = [&](const CutSurface& surface) {
+			return !found || work <= littleWork || mayBeBetter(surface, *found);
+		};
+		const bool hold = !starts[i]->stopped() && plan.search(isPromising);
 		if (starts[i]->stopped())
 			return stoppedPanels();
 		if (found)
@@ -150,7 +153,7 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 			found = foundBy(plan, hold);
 		work += plan.work();
 		if (i + 1 == starts.size() || seamChains(found->planned.front().surface).empty() ||
-			(work > littleWork && (i + 1 == mostSearches || !mayBeBetter(*starts[i + 1], *found))))
+			(work > littleWork && (i + 1 == mostSearches || !mayBeBetter(starts[i + 1]->surface(), *found))))
 			break;
 	}
 	return std::move(*found);

@@ -103,6 +103,35 @@ bool isAsWhole(const CutSurface& after, const CutSurface& before) {
 	return after.usedPanelCount() == before.usedPanelCount();
 }
 
+/// Unless panels fail for other reasons. Where one notch goes others may, too.
+bool closeNotches(CutSurface& surface, const std::vector<char>& held, const SewnPanels& sewn) {
+	if (sewn.notches.size() < worstFirst(sewn).size())
+		return false;
+	CutSurface closed = surface;
+	const auto isStillThere = [&](int h) { return closed.across(h) < 0; };
+	for (const auto& [panel, notches] : sewn.notches)
+		for (const std::vector<int>& notch : notches)
+			// the panel's number may have changed where its neighbour was closed
+			if (std::all_of(notch.begin(), notch.end(), isStillThere) &&
+				!closeNotch(closed, closed.panelOf(triangleOf(notch.front())), notch, held))
+				return false;
+	surface = std::move(closed);
+	return true;
+}
+
+/// What overlaps, and what then still does on the same shape. \return whether anything was closed
+bool closeWhatIsSeen(CutSurface& surface, const std::vector<char>& held, const SewnPanels& sewn,
+					 const ClosingSteps& steps) {
+	constexpr int looks = 6;
+	bool any = closeNotches(surface, held, sewn);
+	for (int look = 0; any && look < looks && steps.mayGoOn(); ++look) {
+		const SewnPanels seen = steps.look(sewn);
+		if (worstOf(seen) < 0 || !closeNotches(surface, held, seen))
+			break;
+	}
+	return any;
+}
+
 } // namespace
 
 bool closeNotch(CutSurface& surface, int panel, const std::vector<int>& notch,
@@ -130,16 +159,8 @@ SewnPanels closeOverlaps(CutSurface& surface, const std::vector<char>& held, Sew
 						 const ClosingSteps& steps) {
 	constexpr int rounds = 6;
 	for (int round = 0; round < rounds && worstOf(sewn) >= 0 && steps.mayGoOn(); ++round) {
-		if (sewn.notches.size() < worstFirst(sewn).size())
+		if (!closeWhatIsSeen(surface, held, sewn, steps))
 			break;
-		CutSurface closed = surface;
-		const bool all = std::all_of(sewn.notches.begin(), sewn.notches.end(), [&](const auto& notch) {
-			// where the neighbour was closed, too, its number may have changed
-			return closeNotch(closed, closed.panelOf(triangleOf(notch.second.front())), notch.second, held);
-		});
-		if (!all)
-			break;
-		surface = std::move(closed);
 		sewn = steps.sew();
 	}
 	return sewn;

@@ -20,6 +20,7 @@ bool closeNotch(CutSurface& surface, int panel, const std::vector<int>& notch,
 /// What is done with a surface as it is.
 struct ClosingSteps {
 	std::function<SewnPanels()> sew;
+	std::function<SewnPanels(const SewnPanels& shape)> look; ///< see overlapsOfShape
 	std::function<bool()> mayGoOn;
 };
 

@@ -59,7 +59,7 @@ SewnPanels PanelPlan::joinedWithDarts() {
 		return divideUntilAllHold();
 	const PlannedSurface before = planned_;
 	joinWithDarts(planned_.surface, *tests_, sewnExcess());
-	SewnPanels sewn = sewTogether(false);
+	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
 	if (worstOf(sewn) < 0 || tests_->stopped())
 		return sewn;
 	planned_ = before;
@@ -128,6 +128,8 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 		});
 		if (tests_->stopped() || seamChains(planned_.surface).empty())
 			return true;
+		if (!isPromising())
+			return false;
 		joinSlivers(planned_.surface, *tests_, history_);
 		const PlannedSurface joined = planned_;
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
@@ -180,6 +182,7 @@ ClosingSteps PanelPlan::closingSteps() {
 				closingsLeft_ -= sewn.cost();
 				return sewn;
 			},
+			[this](const SewnPanels& shape) { return sewing_->look(planned_, shape); },
 			[this] { return !tests_->stopped() && closingsLeft_ > 0; }};
 }
 
@@ -221,8 +224,11 @@ SewnPanels PanelPlan::smoothSeams() {
 	return confirmed(drawn);
 }
 
-bool PanelPlan::search() {
+bool PanelPlan::search(std::function<bool(const CutSurface&)> isPromising) {
+	isPromising_ = std::move(isPromising);
 	sewJoined();
+	if (!this->isPromising())
+		return false;
 	sewn_ = joinedWithDarts();
 	absorbSmallPanels();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {

@@ -9,6 +9,7 @@
 #include "panel_sewing.h"
 #include "planned_surface.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -31,8 +32,10 @@ public:
 	/// Joins clusters to panels that hold by themselves.
 	void join();
 
-	/// Finds panels that hold when they are sewn together, after these were joined. \return  whether all do
-	bool search();
+	/// Finds panels that hold when they are sewn together, after these were joined.
+	/// \param isPromising  asked before all are sewn together: where it says no the search is given up
+	/// \return             whether all hold
+	bool search(std::function<bool(const CutSurface&)> isPromising = {});
 
 	/// The same with panels that mirror each other, without darts. Where some do not hold in the end they are
 	/// divided, and then do not mirror each other any more.
@@ -61,6 +64,7 @@ public:
 private:
 	void joinToSoFew();
 
+	bool isPromising() const { return !isPromising_ || isPromising_(planned_.surface); }
 	void sewJoined();
 	void absorbSmallPanels();
 	bool absorb(int panel, int neighbour);
@@ -91,6 +95,7 @@ private:
 	static constexpr int mostReliefs = 12, mostClosings = 16;
 	double reliefsLeft_ = mostReliefs, closingsLeft_ = mostClosings;
 	const MirrorPlane* mirror_ = nullptr;
+	std::function<bool(const CutSurface&)> isPromising_;
 	std::vector<Eigen::Vector3d> dartTips_;
 	JoinHistory history_;
 };

@@ -21,6 +21,11 @@ public:
 	/// \param brief  see developSewnPanels
 	SewnPanels sew(const PlannedSurface& planned, bool brief);
 
+	/// What overlaps where a shape that was sewn before is laid flat with the cuts that there are now.
+	SewnPanels look(const PlannedSurface& planned, const SewnPanels& shape) const {
+		return overlapsOfShape(meshAsCut(planned, given_.vertexTaken), planned.surface, shape);
+	}
+
 	/// Until what does not hold is just divided, sewings may be tried; how many are left.
 	double triesLeft = 30;
 	/// How much was sewn, in triangles.

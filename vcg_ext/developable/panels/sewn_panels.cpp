@@ -84,16 +84,32 @@ void measurePanels(const PatchAssembly& assembly, const Positions& positions, co
 		}
 }
 
-/// What goes farther along a panel's border is no matter of a dart or a notch.
-constexpr double largestNotch = 0.2;
+/// Half edges of the assembly as ones of the surface.
+std::vector<int> onSurface(const PatchAssembly& assembly, const std::vector<int>& halfEdges) {
+	std::vector<int> result;
+	result.reserve(halfEdges.size());
+	for (const int h : halfEdges)
+		result.push_back(3 * assembly.faceOfTriangle[triangleOf(h)] + cornerInTriangle(h));
+	return result;
+}
+
+Positions cornersOf(const PatchAssembly& assembly, const Positions& positions, const CutSurface& surface) {
+	Positions corners(3, 3 * surface.assembly().triangleCount());
+	for (int t = 0; t < assembly.triangleCount(); ++t)
+		corners.middleCols<3>(3 * assembly.faceOfTriangle[t]) =
+			positions(Eigen::all, assembly.trianglePlaces.col(t));
+	return corners;
+}
 
 /// Panels that overlap themselves when laid flat are none, however developable.
-void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
+void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions, const CutSurface& surface,
 					const std::vector<int>& panelOfPatch, SewnPanels& result) {
+	constexpr double farthest = 0.2; // share of a border: what goes farther is no matter of a dart or a notch
 	const FlatPatterns patterns = flattenPatches(assembly, positions);
 	const auto pointAt = [&](int h) { // inside the triangle: beside a slit, not on it
 		return barycentre(assembly.originalPositions, assembly.trianglePlaces.col(triangleOf(h)));
 	};
+	result.corners = cornersOf(assembly, positions, surface);
 	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch) {
 		const FlatPiece& piece = patterns.pieces[patch];
 		if (!piece.overlapping)
@@ -101,15 +117,18 @@ void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions,
 		CutPanel& panel = result.panels[panelOfPatch[patch]];
 		panel.developable = false;
 		panel.reason = Reason::NeedsCut;
-		if (piece.crossing[0] < 0)
+		if (piece.crossings.empty())
 			continue;
-		panel.worstPoint = pointAt(piece.crossing[0]);
-		result.overlaps[panelOfPatch[patch]] = {panel.worstPoint, pointAt(piece.crossing[1])};
-		const BorderPart part = shorterBorderPart(patterns, piece.crossing);
-		for (const int h : part.halfEdges)
-			if (part.share <= largestNotch)
-				result.notches[panelOfPatch[patch]].push_back(3 * assembly.faceOfTriangle[triangleOf(h)] +
-															  cornerInTriangle(h));
+		const std::vector<BorderPart> notches = notchesOf(patterns, piece);
+		const std::vector<int>& largest = largestNotch(notches).halfEdges;
+		const bool apart = largest.empty(); // on two borders
+		panel.worstPoint = pointAt(apart ? piece.crossings.front()[0] : largest.front());
+		result.overlaps[panelOfPatch[patch]] = {panel.worstPoint,
+												pointAt(apart ? piece.crossings.front()[1] : largest.back())};
+		if (largestNotch(notches).share > farthest)
+			continue;
+		for (const BorderPart& notch : notches)
+			result.notches[panelOfPatch[patch]].push_back(onSurface(assembly, notch.halfEdges));
 	}
 }
 
@@ -156,17 +175,18 @@ double excess(const CutPanel& panel) {
 	return std::max(least, panel.maxDisplacement * (1 + panel.curvatureAfter));
 }
 
-/// On so many places; surfaces with hardly more of them are not worth a coarse level.
-constexpr int coarsePlaces = 1000;
-constexpr double worthWhile = 1.5; // times as many
+/// Whether the method would begin on a coarser level than the surface.
+bool hasCoarseLevel(const PatchAssembly& assembly, const NewtonTuning& tuning) {
+	return tuning.leastReduction * assembly.placeCount() > tuning.coarsestTogether;
+}
 
-/// The same as on the finest level, which follows the coarser ones, in a fraction of the time. Patterns are
+/// On the level that the method begins on: finer ones follow it, and take most of the time. Patterns are
 /// laid flat as fine as they are: whether borders cross is a matter of fractions of an edge.
 void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 					 ConstrainedNewtonOptions options, const std::vector<double>& limits, SewnPanels& result,
 					 const Progress& progress) {
 	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
-	const PartialAssembly coarse = coarserLevel(assembly, coarsePlaces);
+	const PartialAssembly coarse = coarserLevel(assembly, options.tuning.coarsestTogether);
 	std::vector<int> panelOfCoarsePatch;
 	for (const int patch : coarse.wholePatch)
 		panelOfCoarsePatch.push_back(panelOfPatch[patch]);
@@ -178,7 +198,7 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 	if (!judgeCurvature(options, panelOfCoarsePatch, limits, result))
 		return;
 	const Positions carried = carriedOver(assembly, coarse, positions - coarse.assembly.originalPositions);
-	refuseOverlaps(assembly, assembly.originalPositions + carried, panelOfPatch, result);
+	refuseOverlaps(assembly, assembly.originalPositions + carried, surface, panelOfPatch, result);
 }
 
 /// With zero strain, as the user will.
@@ -190,7 +210,7 @@ void developWholly(const PatchAssembly& assembly, const CutSurface& surface,
 	constrainedNewton(assembly, positions, options, progress);
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
 	if (judgeCurvature(options, panelOfPatch, limits, result))
-		refuseOverlaps(assembly, positions, panelOfPatch, result);
+		refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
 }
 
 /// With a material.
@@ -278,10 +298,24 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	options.tuning.preferredMove = preferredMove;
 	if (material.bounds.any())
 		developStrained(assembly, surface, material, brief, limits, result, progress);
-	else if (brief && assembly.placeCount() > worthWhile * coarsePlaces)
+	else if (brief && hasCoarseLevel(assembly, options.tuning))
 		developCoarsely(assembly, surface, options, limits, result, progress);
 	else
 		developWholly(assembly, surface, options, limits, result, progress);
+	return result;
+}
+
+SewnPanels overlapsOfShape(const TriangleMesh& mesh, const CutSurface& surface, const SewnPanels& shape) {
+	const PatchAssembly assembly = assemblePatches(mesh, {});
+	SewnPanels result;
+	result.panels.resize(surface.panelCount());
+	if (markClosed(assembly, surface, result))
+		return result;
+	Positions positions(3, assembly.placeCount());
+	for (int corner = 0; corner < 3 * assembly.triangleCount(); ++corner)
+		positions.col(assembly.placeAt(corner)) =
+			shape.corners.col(3 * assembly.faceOfTriangle[triangleOf(corner)] + cornerInTriangle(corner));
+	refuseOverlaps(assembly, positions, surface, panelsOfPatches(assembly, surface), result);
 	return result;
 }
 
