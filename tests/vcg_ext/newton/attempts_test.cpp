@@ -85,6 +85,42 @@ TEST(Attempts, LeaveOutTheFreeOneWhereItWouldGoTheSameWay) {
 	EXPECT_GT(stepsBeyondTheCareful(1.2, 360), 0); // so much was left that triangles are made stiffer
 }
 
+/// Panels that are sewn together pull at each other; what has no neighbour goes its way as before.
+TEST(Attempts, OfPanelsSewnTogetherStayWithinTheirPreferredMove) {
+	const auto attemptWith = [](const PatchAssembly& assembly, double preferred, double farPlace) {
+		NewtonTuning tuning;
+		tuning.preferredMove = preferred;
+		tuning.farPlace = farPlace;
+		detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 100}, tuning, 0);
+		const detail::AttemptResult result =
+			detail::attempt(problem, assembly.originalPositions, {3e-6, false, 90}, {});
+		EXPECT_EQ(result.ending, detail::Ending::Reached);
+		EXPECT_LE(result.iterations, 90);
+		return result.positions;
+	};
+	const auto farthest = [](const PatchAssembly& assembly, const Positions& positions) {
+		return farthestMove(assembly, positions) / boxDiagonal(assembly.originalPositions);
+	};
+	const PatchAssembly together = sewnPatches(15), alone = assembled(jitteredGrid(15, 15, saddle));
+	const double bound = 0.85 * farthest(together, attemptWith(together, 0, 5));
+	EXPECT_LE(farthest(together, attemptWith(together, bound, 5)), bound);
+	EXPECT_EQ(attemptWith(alone, bound, 5), attemptWith(alone, bound, 500));
+}
+
+/// Nothing of the work is kept for what does not come any more.
+TEST(Attempts, ReleaseWhatIsKeptForTheNextOnceTheyAreThere) {
+	for (const PatchAssembly& assembly : {sewnPatches(9), assembled(bowl(0.9))}) {
+		detail::NewtonProblem problem(assembly, {1e-4, 1e-4, 0.3}, {}, 0);
+		problem.setBudget(std::make_shared<detail::WorkBudget>(1e9, 1e9));
+		detail::WorkReserve reserve(problem.budget(), 0.5);
+		const detail::AttemptResult result =
+			detail::attempt(problem, assembly.originalPositions, {3e-6, true, 200, false, &reserve}, {});
+		const bool reached = result.ending == detail::Ending::Reached;
+		EXPECT_EQ(reached, assembly.patchCount() == 2);
+		EXPECT_EQ(problem.budget().left() > 0.6e9, reached);
+	}
+}
+
 TEST(Attempts, StopAtOnceThoughTheNextIsAtWork) {
 	const PatchAssembly assembly = assembled(bowl(0.9));
 	const ThreadsAllowed allowed("2");

@@ -22,6 +22,32 @@ TEST(Continuation, BringsASmoothShapeToNearlyNoCurvatureAndSettles) {
 	expectSound(assembly, run.shape().positions);
 }
 
+/// What is far is in the way: without it the shape is farther on average, and nearer at most.
+TEST(Continuation, KeepsFarPlacesNearWhereTheyAreHeavy) {
+	const PatchAssembly assembly = sewnPatches(15);
+	const Progress silent;
+	const auto followed = [&](double share) {
+		detail::NewtonProblem problem = problemOf(assembly);
+		problem.jacobian().freeBorders(true);
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		detail::GaussNewton steps(problem, run, false);
+		detail::Continuation continuation(problem, run, steps);
+		continuation.makeFarPlacesHeavy(share * problem.diagonal());
+		continuation.follow();
+		EXPECT_LT(run.shape().curvature, 0.03 * run.startCurvature());
+		const Eigen::ArrayXd more = problem.metric().weight() - problem.metric().placeMass();
+		EXPECT_GE(more.minCoeff(), 0);
+		EXPECT_EQ(more.maxCoeff() > 0, share > 0);
+		return std::pair(run.shape().farthest / problem.diagonal(),
+						 problem.displacement(run.shape()).colwise().norm().mean() / problem.diagonal());
+	};
+	const auto [farthest, mean] = followed(0);
+	const auto [nearer, meanOfNearer] = followed(0.7 * farthest);
+	EXPECT_LT(nearer, 0.95 * farthest);
+	EXPECT_GT(meanOfNearer, mean);
+	EXPECT_LT(meanOfNearer, 1.3 * mean);
+}
+
 TEST(Continuation, FirstStepsLowerWhatTheyPromiseTo) {
 	const PatchAssembly assembly = assembled(jitteredGrid(15, 15, wave));
 	detail::NewtonProblem problem = problemOf(assembly);

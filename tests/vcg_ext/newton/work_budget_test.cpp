@@ -33,6 +33,18 @@ TEST(WorkBudget, KeepsAShareOfWhatIsLeftForLater) {
 	EXPECT_EQ(budget.left(), 5);
 }
 
+TEST(WorkBudget, GivesBackWhatIsReleased) {
+	detail::WorkBudget budget(10);
+	const detail::WorkReserve outer(budget, 0.2);
+	{
+		detail::WorkReserve inner(budget, 0.5);
+		EXPECT_EQ(budget.left(), 4);
+		inner.release();
+		EXPECT_EQ(budget.left(), 8);
+	}
+	EXPECT_EQ(budget.left(), 8);
+}
+
 TEST(WorkBudget, WithoutLimitIsNeverSpent) {
 	detail::WorkBudget budget;
 	const detail::WorkReserve reserve(budget, 0.5);

@@ -41,5 +41,24 @@ TEST(PanelPlan, dividesTheFirstWhereNoneHold) {
 	EXPECT_NE(left.result().report.status, Status::Converged);
 }
 
+/// Nothing is sewn for what would not be taken.
+TEST(PanelPlan, givesUpWhatIsNotPromising) {
+	const GivenPatches given = detail::separatePatches(sphere(1, 3), {});
+	PanelPlan plan = planOf(given);
+	plan.cluster(0.15);
+	plan.join();
+	const double work = plan.work();
+	const int panels = plan.planned().surface.usedPanelCount();
+	int asked = 0;
+	EXPECT_FALSE(plan.search([&](const detail::CutSurface& surface) {
+		EXPECT_EQ(surface.usedPanelCount(), panels);
+		++asked;
+		return false;
+	}));
+	EXPECT_GT(asked, 0);
+	EXPECT_FALSE(plan.stopped());
+	EXPECT_LT(plan.work(), 1.5 * work);
+}
+
 } // namespace
 } // namespace developable::test

@@ -2,6 +2,7 @@
 // What is said of a panel does not depend on how finely it is meshed.
 #include "developable/panels/panel_test.h"
 
+#include "developable/flatten/flatten.h"
 #include "panel_shapes.h"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,41 @@ TEST(PanelTest, ofManyPlacesSaysTheSameAsOfFew) {
 				EXPECT_NEAR(ofMany.meanDisplacement, ofFew.meanDisplacement, 0.3 * ofFew.meanDisplacement);
 			}
 		}
+	}
+}
+
+/// A sheet with a slit from the middle of its long side, whose sides lie upon each other but for the tip.
+TriangleMesh withOverlappingSlit(int edges) {
+	constexpr int columns = 12, rows = 41;
+	TriangleMesh mesh =
+		grid(columns, rows, [](double u, double v) { return Eigen::Vector3d(u, 6 * v, 0.3 * u * u); });
+	const int row = rows / 2, first = mesh.vertexCount();
+	const Eigen::Vector3d over(0, 0.02, 0.01);
+	Positions positions(3, first + edges);
+	positions.leftCols(first) = mesh.positions;
+	for (int column = 0; column < edges; ++column) {
+		const int vertex = row * columns + column;
+		positions.col(first + column) = mesh.positions.col(vertex) - over;
+		positions.col(vertex) += over;
+	}
+	for (int t = 0; t < mesh.triangleCount(); ++t) // those above have the new ones
+		if (mesh.positions(1, mesh.triangles.col(t)[0]) + mesh.positions(1, mesh.triangles.col(t)[1]) +
+				mesh.positions(1, mesh.triangles.col(t)[2]) >
+			9)
+			for (int& vertex : mesh.triangles.col(t))
+				if (vertex / columns == row && vertex % columns < edges)
+					vertex = first + vertex % columns;
+	return makeMesh(positions, mesh.triangles);
+}
+
+/// Seams are drawn anew, and notches that are left are closed.
+TEST(PanelTest, isNotHardOnNotchesOfTheBorder) {
+	for (const int edges : {2, 6}) {
+		const PatchAssembly assembly = assembled(withOverlappingSlit(edges));
+		EXPECT_TRUE(flattenPatches(assembly, assembly.originalPositions).pieces.front().overlapping);
+		const PanelVerdict verdict = verdictOn(withOverlappingSlit(edges), 100);
+		EXPECT_EQ(verdict.isPanel(), edges == 2);
+		EXPECT_EQ(verdict.obstacle, edges == 2 ? detail::Obstacle::None : detail::Obstacle::Overlaps);
 	}
 }
 
