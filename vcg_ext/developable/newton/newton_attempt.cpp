@@ -79,9 +79,9 @@ Ending withinBound(Ending ending, NewtonProblem& problem, NewtonRun& run, GaussN
 	return Ending::Stuck;
 }
 
+/// What leads from the start to where an attempt ends; may say more of it in the result.
 using Way = std::function<Ending(NewtonRun&, GaussNewton&, AttemptResult&)>;
 
-/// \param start  without symmetry
 AttemptResult attemptOn(const Way& way, NewtonProblem& problem, const Positions& start,
 						const AttemptSetting& setting, const Progress& progress) {
 	problem.setSmoothness(setting.smoothness);
