@@ -41,7 +41,7 @@ TEST(SewnPanels, areSeenOnACoarseLevelOfALargeSurfaceIfBriefly) {
 		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, 1, brief, {});
 	};
 	EXPECT_FALSE(sewn(30, true).coarse);
-	const SewnPanels coarse = sewn(46, true), whole = sewn(46, false);
+	const SewnPanels coarse = sewn(48, true), whole = sewn(48, false);
 	EXPECT_TRUE(coarse.coarse);
 	EXPECT_LT(coarse.cost(), whole.cost());
 	EXPECT_FALSE(whole.coarse);

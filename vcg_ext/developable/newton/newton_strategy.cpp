@@ -19,11 +19,15 @@ namespace {
 
 constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
-/// How many a coarser level is to have. From what is hardly more than the coarsest no other would be worth
-/// its while.
+/// So few, or hardly more, are solved directly: a coarser level would not be worth its while.
+bool isCoarsest(int places, const NewtonTuning& tuning) {
+	return tuning.leastReduction * places <= tuning.coarsest;
+}
+
+/// How many a coarser level is to have.
 int coarserPlaces(int places, int coarsest, const NewtonTuning& tuning) {
 	const int coarser = static_cast<int>(places / tuning.levelRatio);
-	return coarser * tuning.leastReduction < coarsest ? coarsest : coarser;
+	return isCoarsest(coarser, tuning) ? coarsest : coarser;
 }
 
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
@@ -33,8 +37,8 @@ struct ExpectedWork {
 
 	ExpectedWork(int places, int coarsest, const NewtonTuning& tuning) {
 		constexpr double ofCoarsest = 900, ofFiner = 100, ofCoarsening = 20; // a place
-		onFinest = (places > coarsest ? ofFiner : ofCoarsest) * places;
-		if (places <= coarsest)
+		onFinest = (isCoarsest(places, tuning) ? ofCoarsest : ofFiner) * places;
+		if (isCoarsest(places, tuning))
 			return;
 		coarsening = ofCoarsening * places;
 		onCoarser = ExpectedWork(coarserPlaces(places, coarsest, tuning), coarsest, tuning).whole();
@@ -168,7 +172,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const PatchAssembly& assembly = level.assembly;
 	const int places = assembly.placeCount();
 	const int coarsest = assembly.patchCount() > 1 ? tuning_.coarsestTogether : tuning_.coarsest;
-	if (places <= coarsest)
+	if (isCoarsest(places, tuning_))
 		return solveCoarsest(level, start, progress);
 	const PartialAssembly coarse =
 		Coarsening(assembly, tuning_).coarsen(coarserPlaces(places, coarsest, tuning_));

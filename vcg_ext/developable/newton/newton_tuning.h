@@ -178,7 +178,7 @@ struct NewtonTuning {
 
 	// Levels.
 	int coarsest = 1500;              ///< places; so few are solved directly
-	int coarsestTogether = 1000;      ///< the same of panels that are sewn together
+	int coarsestTogether = 1000;      ///< on the coarsest level of more panels that are sewn together
 	double levelRatio = 4;            ///< between the numbers of places of two levels
 	double coarseRoom = 0.95;         ///< share of the bound on displacements that a coarser level has
 	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while

@@ -13,7 +13,6 @@ namespace developable::detail {
 namespace {
 
 constexpr double meanOnWay = 1.05;      ///< shapes that hold hardly ever have been farther from the original
-constexpr double tolerableNotch = 0.03; ///< share of the border: seams are drawn anew, and the rest is closed
 constexpr double greatestStrain = 1e-3; ///< of a developable panel laid flat: C ≤ 1e-4 leaves far less
 
 bool isDisk(const PatchAssembly& assembly) {
@@ -54,16 +53,16 @@ Eigen::Vector3d farthestPoint(const PatchAssembly& assembly, const Positions& po
 	return assembly.originalPositions.col(farthest);
 }
 
-bool overlapsLittle(const FlatPatterns& patterns) {
+bool overlapsLittle(const FlatPatterns& patterns, double notch) {
 	const FlatPiece& piece = patterns.pieces.front();
 	return !piece.overlapping ||
-		   (!piece.crossings.empty() && largestNotch(notchesOf(patterns, piece)).share <= tolerableNotch);
+		   (!piece.crossings.empty() && largestNotch(notchesOf(patterns, piece)).share <= notch);
 }
 
-bool liesFlat(const PatchAssembly& assembly, const Positions& positions) {
+bool liesFlat(const PatchAssembly& assembly, const Positions& positions, double notch) {
 	const FlatPatterns patterns = flattenPatches(assembly, positions);
 	const FlatPiece& piece = patterns.pieces.front();
-	return overlapsLittle(patterns) && piece.cuts == 0 && piece.flippedFaces == 0 &&
+	return overlapsLittle(patterns, notch) && piece.cuts == 0 && piece.flippedFaces == 0 &&
 		   piece.maxEdgeStrain < greatestStrain;
 }
 
@@ -88,7 +87,7 @@ void testOnLevel(const PatchAssembly& assembly, const PanelLimits& limits, const
 	else if (!near)
 		verdict.worstPoint = farthestPoint(assembly, positions);
 	else
-		verdict.flat = liesFlat(assembly, positions);
+		verdict.flat = liesFlat(assembly, positions, limits.notch);
 	const bool reached = converged(report.status) && near; // what goes on to somewhere else ends on the way
 	verdict.obstacle = verdict.flat ? Obstacle::None : reached ? Obstacle::Overlaps : Obstacle::TooFar;
 }

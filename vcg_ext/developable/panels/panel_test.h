@@ -14,6 +14,9 @@ struct PanelLimits {
 	double maxDisplacement = 0;  ///< of any vertex, length
 	double meanDisplacement = 0; ///< over its vertices, length
 	PanelMaterial material;
+	/// Share of the border that may overlap itself when laid flat, but for a material: seams are drawn anew
+	/// later, and what is left is closed.
+	double notch = 0.03;
 };
 
 /// Why triangles are no panel.

@@ -29,7 +29,7 @@ PanelTests::PanelTests(std::vector<double> maxDisplacement, const PanelMaterial&
 
 PanelLimits PanelTests::limitsOf(int patch) const {
 	const double greatest = scale_ * shareAlone * maxDisplacement_[patch];
-	return {greatest, meanOfGreatest * greatest, material_};
+	return {greatest, meanOfGreatest * greatest, material_, notch_};
 }
 
 void PanelTests::scaleLimits(double factor) {

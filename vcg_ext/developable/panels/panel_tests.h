@@ -42,6 +42,8 @@ public:
 
 	/// Within what a patch's panels have to stay, by themselves: sewn together they will move a little more.
 	PanelLimits limitsOf(int patch) const;
+	/// No panel may overlap itself at all. To be called before any is tested.
+	void refuseNotches() { notch_ = 0; }
 	/// All limits are so many times what they were at first.
 	void scaleLimits(double factor);
 
@@ -77,7 +79,7 @@ private:
 	const std::vector<double> maxDisplacement_;
 	const PanelMaterial material_;
 	const Progress progress_;
-	double scale_ = 1;
+	double scale_ = 1, notch_ = PanelLimits().notch;
 	double work_ = 0;
 	PanelVerdicts verdicts_;
 	std::atomic<int> jobsAhead_{0}; // that have not ended

@@ -121,10 +121,10 @@ void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions, c
 			continue;
 		const std::vector<BorderPart> notches = notchesOf(patterns, piece);
 		const std::vector<int>& largest = largestNotch(notches).halfEdges;
-		const bool apart = largest.empty(); // on two borders
-		panel.worstPoint = pointAt(apart ? piece.crossings.front()[0] : largest.front());
-		result.overlaps[panelOfPatch[patch]] = {panel.worstPoint,
-												pointAt(apart ? piece.crossings.front()[1] : largest.back())};
+		const bool ofTwoBorders = largest.empty();
+		panel.worstPoint = pointAt(ofTwoBorders ? piece.crossings.front()[0] : largest.front());
+		result.overlaps[panelOfPatch[patch]] = {
+			panel.worstPoint, pointAt(ofTwoBorders ? piece.crossings.front()[1] : largest.back())};
 		if (largestNotch(notches).share > farthest)
 			continue;
 		for (const BorderPart& notch : notches)
@@ -177,7 +177,7 @@ double excess(const CutPanel& panel) {
 
 /// Whether the method would begin on a coarser level than the surface.
 bool hasCoarseLevel(const PatchAssembly& assembly, const NewtonTuning& tuning) {
-	return tuning.leastReduction * assembly.placeCount() > tuning.coarsestTogether;
+	return tuning.leastReduction * assembly.placeCount() > tuning.coarsest;
 }
 
 /// On the level that the method begins on: finer ones follow it, and take most of the time. Patterns are

@@ -17,6 +17,7 @@ SymmetricOutcome PanelPlan::searchSymmetric(const MirrorPlane& plane) {
 	constexpr int rounds = 12;
 	constexpr double tighter = 0.95; // with every round, as where nothing mirrors anything
 	mirror_ = &plane;
+	tests_->refuseNotches(); // to close them is a matter of one side
 	const std::vector<int> mirrored = mirroredTriangles(planned_.mesh, plane);
 	makeFirstPanels(planned_, *tests_, options_, ClusterOptions().greatestDeviation);
 	CutSurface& surface = planned_.surface;
