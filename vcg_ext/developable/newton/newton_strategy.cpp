@@ -20,14 +20,15 @@ namespace {
 constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
 /// So few, or hardly more, are solved directly: a coarser level would not be worth its while.
-bool isCoarsest(int places, const NewtonTuning& tuning) {
-	return tuning.leastReduction * places <= tuning.coarsest;
+/// \param coarsest  that a level may have, tuning.coarsest at most
+bool isCoarsest(int places, int coarsest, const NewtonTuning& tuning) {
+	return places <= coarsest || tuning.leastReduction * places <= tuning.coarsest;
 }
 
 /// How many a coarser level is to have.
 int coarserPlaces(int places, int coarsest, const NewtonTuning& tuning) {
 	const int coarser = static_cast<int>(places / tuning.levelRatio);
-	return isCoarsest(coarser, tuning) ? coarsest : coarser;
+	return isCoarsest(coarser, coarsest, tuning) ? coarsest : coarser;
 }
 
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
@@ -37,8 +38,9 @@ struct ExpectedWork {
 
 	ExpectedWork(int places, int coarsest, const NewtonTuning& tuning) {
 		constexpr double ofCoarsest = 900, ofFiner = 100, ofCoarsening = 20; // a place
-		onFinest = (isCoarsest(places, tuning) ? ofCoarsest : ofFiner) * places;
-		if (isCoarsest(places, tuning))
+		const bool isLast = isCoarsest(places, coarsest, tuning);
+		onFinest = (isLast ? ofCoarsest : ofFiner) * places;
+		if (isLast)
 			return;
 		coarsening = ofCoarsening * places;
 		onCoarser = ExpectedWork(coarserPlaces(places, coarsest, tuning), coarsest, tuning).whole();
@@ -171,8 +173,9 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 											 const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
 	const int places = assembly.placeCount();
-	const int coarsest = assembly.patchCount() > 1 ? tuning_.coarsestTogether : tuning_.coarsest;
-	if (isCoarsest(places, tuning_))
+	const int together = std::min(tuning_.coarsestTogether, tuning_.coarsest);
+	const int coarsest = assembly.patchCount() > 1 ? together : tuning_.coarsest;
+	if (isCoarsest(places, coarsest, tuning_))
 		return solveCoarsest(level, start, progress);
 	const PartialAssembly coarse =
 		Coarsening(assembly, tuning_).coarsen(coarserPlaces(places, coarsest, tuning_));
