@@ -609,6 +609,7 @@ class Reason(enum.IntEnum):
     SEAM_NO_SHEET = 12
     SEAM_BEYOND_BOUNDS = 13
     SEAM_SEWN = 14
+    SEAM_STILL = 15
 
     @property
     def text(self) -> str:
@@ -632,6 +633,7 @@ _REASON_TEXTS = {
     Reason.SEAM_NO_SHEET: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would close round on itself, as a ring, a tube or a ball, and not be one sheet",
     Reason.SEAM_BEYOND_BOUNDS: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would be strained by more than the material bears",
     Reason.SEAM_SEWN: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), was found to help: without it the panel would do by itself, but hardly with smooth seams and sewn to the others",
+    Reason.SEAM_STILL: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), spares all movement: without it the panel would do, but not as it is",
 }
 
 

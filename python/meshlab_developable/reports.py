@@ -52,6 +52,7 @@ SEAM_REASONS = (
     Reason.SEAM_NO_SHEET,
     Reason.SEAM_BEYOND_BOUNDS,
     Reason.SEAM_SEWN,
+    Reason.SEAM_STILL,
 )
 
 

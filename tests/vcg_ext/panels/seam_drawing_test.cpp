@@ -33,7 +33,7 @@ TEST(SeamDrawing, isSmootherWhereItMayBe) {
 	std::vector<int> labels;
 	const PlannedSurface planned = sheetWithWave(labels);
 	std::vector<Eigen::Vector3d> tips;
-	SeamDrawing drawing(planned, labels, tips, {});
+	SeamDrawing drawing(planned, labels, tips, {}, detail::sharpFeatures(planned.surface, 40));
 	const PlannedSurface safe = drawing.drawn();
 	drawing.draw(SeamDrawing::Manner::Taut);
 	const PlannedSurface taut = drawing.drawn();
@@ -60,7 +60,7 @@ TEST(SeamDrawing, drawsDartsThatAreKnownByTheirTips) {
 	std::vector<int> labels;
 	const PlannedSurface planned = sheetWithWave(labels);
 	std::vector<Eigen::Vector3d> tips;
-	const SeamDrawing drawing(planned, labels, tips, {});
+	const SeamDrawing drawing(planned, labels, tips, {}, detail::sharpFeatures(planned.surface, 40));
 	tips.emplace_back(0.2, 0.5, 0); // as of darts that were added after seams were drawn first
 	const PlannedSurface drawn = drawing.drawn();
 	int darts = 0;

@@ -57,7 +57,8 @@ enum class Reason {
 	SeamOverlaps = 11,     ///< it would overlap itself when laid flat
 	SeamNoSheet = 12,      ///< it would be a ring, a tube or a ball
 	SeamBeyondBounds = 13, ///< it would be strained by more than the material bears
-	SeamSewn = 14          ///< it would hold by itself, but not among the others
+	SeamSewn = 14,         ///< it would hold by itself, but not among the others
+	SeamStill = 15         ///< it would have to move; with it nothing has to
 };
 
 struct ReasonProperties {
@@ -110,6 +111,9 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	{Reason::SeamSewn, "SEAM_SEWN",
 	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), was found to help: without it the panel would "
 	 "do by itself, but hardly with smooth seams and sewn to the others"},
+	{Reason::SeamStill, "SEAM_STILL",
+	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), spares all movement: without it the panel would "
+	 "do, but not as it is"},
 };
 
 /// What follows a reason's text where {edge_strain_left} is known and the text has not said it.

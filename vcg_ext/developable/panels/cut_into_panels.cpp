@@ -86,6 +86,8 @@ CutResult cutParts(const GivenPatches& given, const CutOptions& options, const P
 	const std::vector<GivenPatches> parts = partsOf(given);
 	if (parts.size() == 1)
 		return cutPatches(given, options, progress);
+	if (!mayGoOn(progress, 0, "cutting " + std::to_string(parts.size()) + " parts"))
+		return stoppedResult(); // small parts end before anybody asks
 	std::vector<CutResult> results(parts.size());
 	std::vector<Task> tasks;
 	for (std::size_t i = 0; i < parts.size(); ++i)

@@ -2,12 +2,15 @@
 // first_panels.cpp: clusters of normals, tidied and tested.
 #include "first_panels.h"
 
+#include "crease_regions.h"
 #include "memberships.h"
 #include "normal_clusters.h"
 #include "selected_whole.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace developable::detail {
 
@@ -25,6 +28,20 @@ void tidyClusters(PlannedSurface& planned, const CutOptions& options) {
 					keptTriangles(planned, options));
 	planned.surface.relabel(
 		planned.surface.withoutFragments(withSelectedWhole(planned, options, mostMembership(spread))));
+}
+
+/// Every panel that is not flat, by some labels of its triangles.
+void divideWhatIsNotFlat(PlannedSurface& planned, PanelTests& tests,
+						 const std::function<std::vector<int>(const std::vector<int>&)>& labelsOf) {
+	const int count = planned.surface.panelCount();
+	std::vector<PanelTrial> trials;
+	trials.reserve(count);
+	for (int panel = 0; panel < count; ++panel)
+		trials.push_back(trialOf(planned.surface, planned.surface.trianglesOf(panel)));
+	const std::vector<PanelVerdict> verdicts = tests.test(trials);
+	for (int panel = 0; panel < count && !tests.stopped(); ++panel)
+		if (!verdicts[panel].flat)
+			planned.surface.divide(panel, labelsOf(planned.surface.trianglesOf(panel)));
 }
 
 void divideUntilFlat(PlannedSurface& planned, PanelTests& tests, const CutOptions& options) {
@@ -52,25 +69,74 @@ void divideUntilFlat(PlannedSurface& planned, PanelTests& tests, const CutOption
 	}
 }
 
+/// Whether anybody would fold and glue so many pieces. Where most edges turn by less than creases do, they
+/// are those of a round shape of few triangles.
+bool isFolded(const CutSurface& surface, bool byCreases) {
+	constexpr int mostPieces = 500, trianglesOfPiece = 4;
+	const int pieces = surface.panelCount();
+	return pieces <= mostPieces &&
+		   (byCreases || trianglesOfPiece * pieces <= surface.assembly().triangleCount());
+}
+
+/// As if each were alone.
+SharpFeatures everySharpEdge(const CutSurface& surface, double creaseAngle) {
+	SharpFeatures features = sharpFeatures(surface, creaseAngle);
+	for (SharpFeatures::Kind& kind : features.edges)
+		kind = kind == SharpFeatures::None ? kind : SharpFeatures::Alone;
+	return features;
+}
+
+void divideBetween(const SharpFeatures& features, PlannedSurface& planned, const CutOptions& options) {
+	std::vector<int> all(planned.surface.assembly().triangleCount());
+	std::iota(all.begin(), all.end(), 0);
+	planned.surface.relabel(
+		withSelectedWhole(planned, options, regionsBetween(features, planned.surface, all)));
+}
+
+/// No edge is sharp in a patch that is a panel already.
+void keepPanelsWhole(CutSurface& surface, PanelTests& tests, SharpFeatures& features) {
+	const CutSurface whole(surface.assembly());
+	std::vector<PanelTrial> trials;
+	trials.reserve(whole.panelCount());
+	for (int patch = 0; patch < whole.panelCount(); ++patch)
+		trials.push_back(trialOf(whole, whole.trianglesOf(patch)));
+	const std::vector<PanelVerdict> verdicts = tests.test(trials);
+	for (int h = 0; h < static_cast<int>(features.edges.size()); ++h)
+		if (verdicts[whole.panelOf(triangleOf(h))].flat)
+			features.edges[h] = SharpFeatures::None;
+}
+
 } // namespace
 
 void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOptions& options,
 					 double clusterDeviation) {
 	ClusterOptions clusters;
 	clusters.greatestDeviation = clusterDeviation;
-	const int patches = planned.surface.assembly().patchCount();
-	std::vector<PanelTrial> trials;
-	trials.reserve(patches);
-	for (int patch = 0; patch < patches; ++patch)
-		trials.push_back(trialOf(planned.surface, planned.surface.trianglesOf(patch)));
-	const std::vector<PanelVerdict> verdicts = tests.test(trials);
-	for (int patch = 0; patch < patches; ++patch) {
-		if (!verdicts[patch].flat)
-			planned.surface.divide(
-				patch, normalClusters(planned.surface, planned.surface.trianglesOf(patch), clusters));
-	}
+	const SharpFeatures creases = sharpFeatures(planned.surface, options.creaseAngle);
+	divideWhatIsNotFlat(planned, tests, [&](const std::vector<int>& triangles) {
+		return regionsBetween(creases, planned.surface, triangles);
+	});
+	divideWhatIsNotFlat(planned, tests, [&](const std::vector<int>& triangles) {
+		return normalClusters(planned.surface, triangles, clusters);
+	});
 	tidyClusters(planned, options);
 	divideUntilFlat(planned, tests, options);
+}
+
+std::optional<SharpFeatures> makeStillPanels(PlannedSurface& planned, PanelTests& tests,
+											 const CutOptions& options, double still) {
+	for (const double share : {1.0, 0.5, 0.25}) {
+		SharpFeatures features = everySharpEdge(planned.surface, share * options.creaseAngle);
+		divideBetween(features, planned, options);
+		if (!isFolded(planned.surface, share == 1) || !isDevelopable(planned.surface))
+			continue;
+		keepPanelsWhole(planned.surface, tests, features);
+		divideBetween(features, planned, options);
+		tests.scaleLimits(still);
+		divideUntilFlat(planned, tests, options);
+		return features;
+	}
+	return {};
 }
 
 bool divideInTwo(PlannedSurface& planned, const CutOptions& options, int panel) {

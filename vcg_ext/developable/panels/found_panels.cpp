@@ -132,10 +132,21 @@ bool mayBeBetter(const CutSurface& surface, const FoundPanels& found) {
 	return !found.hold || priceSewn * price(surface) < price(found.planned.front().surface);
 }
 
+/// Nothing, unless the surface is developable between its sharp edges.
+std::optional<FoundPanels> findStillPanels(const GivenPatches& patches, const std::vector<double>& limits,
+										   const CutOptions& options, const Progress& progress) {
+	PanelPlan plan(patches, limits, options, progress);
+	if (plan.searchStill() || plan.stopped())
+		return foundBy(plan, true);
+	return {};
+}
+
 } // namespace
 
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress) {
+	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, progress))
+		return std::move(*still);
 	const Starts starts = joinedStarts(patches, limits, options, progress);
 	std::optional<FoundPanels> found;
 	double work = 0;

@@ -2,6 +2,7 @@
 // panel_plan.cpp: the stages of the work.
 #include "panel_plan.h"
 
+#include "crease_regions.h"
 #include "cut_report.h"
 #include "first_panels.h"
 #include "panel_dissolving.h"
@@ -93,6 +94,9 @@ const std::vector<int>& PanelPlan::cluster(double deviation) {
 }
 
 void PanelPlan::join() {
+	const SharpFeatures creases = sharpFeatures(planned_.surface, options_.creaseAngle);
+	joinPanels(planned_.surface, *tests_, history_,
+			   [&](const SeamChain& chain) { return !liesOnCrease(chain, planned_.surface, creases); });
 	joinPanels(planned_.surface, *tests_, history_);
 	joinedGreedily_ = planned_;
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
@@ -230,6 +234,11 @@ bool PanelPlan::search(std::function<bool(const CutSurface&)> isPromising) {
 	if (!this->isPromising())
 		return false;
 	sewn_ = joinedWithDarts();
+	return finish();
+}
+
+/// What is left to do where all hold. \return whether they still do
+bool PanelPlan::finish() {
 	absorbSmallPanels();
 	if (options_.maxPanels > 0 && planned_.surface.usedPanelCount() > options_.maxPanels) {
 		joinToSoFew();

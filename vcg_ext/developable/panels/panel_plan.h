@@ -8,6 +8,7 @@
 #include "panel_joining.h"
 #include "panel_sewing.h"
 #include "planned_surface.h"
+#include "sharp_features.h"
 
 #include <functional>
 #include <memory>
@@ -37,8 +38,12 @@ public:
 	/// \return             whether all hold
 	bool search(std::function<bool(const CutSurface&)> isPromising = {});
 
-	/// The same with panels that mirror each other, without darts. Where some do not hold in the end they are
-	/// divided, and then do not mirror each other any more.
+	/// Panels whose seams lie on sharp edges of a surface that is developable between these: nothing has to
+	/// move, or hardly. \return whether there are such panels, and all hold
+	bool searchStill();
+
+	/// Finds panels that mirror each other and hold when they are sewn together, without darts. Where some do
+	/// not hold in the end they are divided, and then do not mirror each other any more.
 	SymmetricOutcome searchSymmetric(const MirrorPlane& plane);
 
 	/// Takes over panels that were found on another copy of the patches: the first that hold here, too. Where
@@ -62,6 +67,8 @@ public:
 	CutResult result() const;
 
 private:
+	bool finish();
+	void straighten(const SharpFeatures& features);
 	void joinToSoFew();
 
 	bool isPromising() const { return !isPromising_ || isPromising_(planned_.surface); }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace developable::detail {
 
@@ -45,10 +46,10 @@ int panelAt(const CutSurface& surface, const Eigen::Vector3d& point) {
 } // namespace
 
 SeamDrawing::SeamDrawing(const PlannedSurface& planned, const std::vector<int>& clusters,
-						 const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options)
+						 const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options,
+						 SharpFeatures features)
 	: planned_(planned), dartTips_(dartTips), options_(options), labels_(planned.surface, clusters),
-	  features_(sharpFeatures(planned.surface, options.creaseAngle)),
-	  tightness_(planned.surface.assembly().triangleCount(), safest) {}
+	  features_(std::move(features)), tightness_(planned.surface.assembly().triangleCount(), safest) {}
 
 void SeamDrawing::draw(Manner manner) {
 	const int level = manner == Manner::Smooth ? 0 : manner == Manner::Taut ? safest - 1 : safest;

@@ -23,8 +23,10 @@ public:
 	/// At first seams move as little as can be.
 	/// \param clusters  per triangle; both sides of any cut differ
 	/// \param dartTips  where darts end that no seam shows, whenever it draws; outlives this
+	/// \param features  of the plan's surface
 	SeamDrawing(const PlannedSurface& planned, const std::vector<int>& clusters,
-				const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options);
+				const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options,
+				SharpFeatures features);
 
 	/// The same panels, with triangles split where seams cross them if that is asked for.
 	PlannedSurface drawn() const;

@@ -10,7 +10,10 @@ namespace developable::detail {
 
 namespace {
 
-Reason reasonOf(const PanelVerdict& verdict) {
+constexpr double hardly = 0.05; ///< of the movement without a seam: that with it
+
+/// \param still  whether the panel hardly moves as it is
+Reason reasonOf(const PanelVerdict& verdict, bool still) {
 	switch (verdict.obstacle) {
 	case Obstacle::NoSheet:
 		return Reason::SeamNoSheet;
@@ -23,7 +26,9 @@ Reason reasonOf(const PanelVerdict& verdict) {
 	case Obstacle::None:
 		break;
 	}
-	return verdict.disk ? Reason::SeamSewn : Reason::SeamNoSheet;
+	if (!verdict.disk)
+		return Reason::SeamNoSheet;
+	return still ? Reason::SeamStill : Reason::SeamSewn;
 }
 
 } // namespace
@@ -46,7 +51,8 @@ void explainSeams(CutSurface& surface, PanelTests& tests, SewnPanels& sewn) {
 		const SeamChain& seam = chains[chain];
 		if (tests.stopped() || !report.developable)
 			continue;
-		report.reason = reasonOf(verdicts[trialOfChain.at(chain)]);
+		const PanelVerdict& verdict = verdicts[trialOfChain.at(chain)];
+		report.reason = reasonOf(verdict, report.maxDisplacement < hardly * verdict.maxDisplacement);
 		report.neighbour = seam.panels[seam.panels[0] == panel ? 1 : 0];
 		report.seamPoint = surface.middleOf(seam.halfEdges[seam.halfEdges.size() / 2]);
 	}

@@ -9,9 +9,9 @@ namespace developable::detail {
 SeamSmoothing::SeamSmoothing(PlannedSurface& planned, const std::vector<int>& clusters,
 							 const std::vector<Eigen::Vector3d>& dartTips, const CutOptions& options,
 							 const MirrorPlane* mirror, SewingSteps steps)
-	: planned_(planned), before_(planned), taut_(before_, clusters, dartTips, options),
-	  smooth_(before_, clusters, dartTips, options), mirror_(mirror), steps_(std::move(steps)),
-	  safest_(planned) {}
+	: planned_(planned), before_(planned),
+	  taut_(before_, clusters, dartTips, options, sharpFeatures(before_.surface, options.creaseAngle)),
+	  smooth_(taut_), mirror_(mirror), steps_(std::move(steps)), safest_(planned) {}
 
 bool SeamSmoothing::holds(const SewnPanels& sewn) const {
 	return planned_.surface.usedPanelCount() <= before_.surface.usedPanelCount() && worstOf(sewn) < 0;

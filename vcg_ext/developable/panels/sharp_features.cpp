@@ -32,10 +32,27 @@ double turnBeside(const CutSurface& surface, int halfEdge) {
 }
 
 constexpr double nearlyAsSharp = 0.7;    ///< share of the sharpest edge at a point: less is beside a line
+constexpr double leastSides = 5;         ///< of a prism that is meant to be round
 constexpr double zigzag = 45 * pi / 180; ///< a line of creases that turns by more there is a jagged one
 
-/// Per half edge, whether it goes on at one of its ends in one other of some edges, and turns sharply there.
-std::vector<char> onJaggedLines(const CutSurface& surface, const std::vector<char>& isSharp) {
+/// Per half edge, how it goes on at its ends where it does in one other of some edges.
+struct SharpLines {
+	std::vector<char> jagged; ///< it turns sharply at one of them
+	std::vector<char> smooth; ///< it goes on straight, or nearly, at one
+};
+
+/// The ends of sharp edges at a place, without those that are beside a much sharper line.
+std::vector<int> sharpestOf(const CutSurface& surface, std::vector<int> halfEdges) {
+	double sharpest = 0;
+	for (const int h : halfEdges)
+		sharpest = std::max(sharpest, turnAt(surface, h));
+	halfEdges.erase(std::remove_if(halfEdges.begin(), halfEdges.end(),
+								   [&](int h) { return turnAt(surface, h) < nearlyAsSharp * sharpest; }),
+					halfEdges.end());
+	return halfEdges;
+}
+
+SharpLines sharpLines(const CutSurface& surface, const std::vector<char>& isSharp) {
 	std::vector<std::vector<int>> at(
 		surface.assembly().copyCount()); // half edges of sharp edges, by their ends
 	for (int h = 0; h < static_cast<int>(isSharp.size()); ++h)
@@ -43,25 +60,20 @@ std::vector<char> onJaggedLines(const CutSurface& surface, const std::vector<cha
 			at[surface.startOf(h)].push_back(h);
 			at[surface.endOf(h)].push_back(h);
 		}
-	std::vector<char> jagged(isSharp.size(), 0);
+	SharpLines lines{std::vector<char>(isSharp.size(), 0), std::vector<char>(isSharp.size(), 0)};
 	for (int copy = 0; copy < static_cast<int>(at.size()); ++copy) {
-		double sharpest = 0;
-		for (const int h : at[copy])
-			sharpest = std::max(sharpest, turnAt(surface, h));
-		at[copy].erase(std::remove_if(at[copy].begin(), at[copy].end(),
-									  [&](int h) { return turnAt(surface, h) < nearlyAsSharp * sharpest; }),
-					   at[copy].end());
-		if (at[copy].size() != 2) // ends, and where several meet
+		const std::vector<int> sharpest = sharpestOf(surface, std::move(at[copy]));
+		if (sharpest.size() != 2) // ends, and where several meet
 			continue;
 		const auto outward = [&](int h) -> Eigen::Vector3d {
 			return (surface.startOf(h) == copy ? 1 : -1) * surface.vectorOf(h).normalized();
 		};
-		if (outward(at[copy][0]).dot(-outward(at[copy][1])) >= std::cos(zigzag))
-			continue;
-		for (const int h : at[copy])
-			jagged[h] = jagged[surface.assembly().across(h)] = 1;
+		const bool straight = outward(sharpest[0]).dot(-outward(sharpest[1])) >= std::cos(zigzag);
+		std::vector<char>& kind = straight ? lines.smooth : lines.jagged;
+		for (const int h : sharpest)
+			kind[h] = kind[surface.assembly().across(h)] = 1;
 	}
-	return jagged;
+	return lines;
 }
 
 std::vector<SharpFeatures::Kind> sharpEdges(const CutSurface& surface, double creaseAngle) {
@@ -69,14 +81,15 @@ std::vector<SharpFeatures::Kind> sharpEdges(const CutSurface& surface, double cr
 	std::vector<char> isSharp(count);
 	for (int h = 0; h < count; ++h)
 		isSharp[h] = turnAt(surface, h) > creaseAngle * pi / 180;
-	const std::vector<char> jagged = onJaggedLines(surface, isSharp);
+	const SharpLines lines = sharpLines(surface, isSharp);
 	std::vector<SharpFeatures::Kind> kinds(count, SharpFeatures::None);
 	for (int h = 0; h < count; ++h) {
 		if (!isSharp[h])
 			continue;
 		const int other = surface.assembly().across(h);
+		const bool crease = lines.smooth[h] && turnAt(surface, h) > 2 * pi / leastSides;
 		const double beside = std::max(turnBeside(surface, h), turnBeside(surface, other));
-		const bool alone = !jagged[h] && beside <= muchLess * turnAt(surface, h);
+		const bool alone = !lines.jagged[h] && (crease || beside <= muchLess * turnAt(surface, h));
 		kinds[h] = alone ? SharpFeatures::Alone : SharpFeatures::AmongOthers;
 	}
 	return kinds;

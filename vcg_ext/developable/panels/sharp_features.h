@@ -7,7 +7,8 @@
 namespace developable::detail {
 
 /// Where seams like to be. A round shape of few triangles turns sharply at all its edges and points: a seam
-/// is as good beside these as on them. What turns much more than what is next to it was made so.
+/// is as good beside these as on them. What turns much more than what is next to it was made so, and a smooth
+/// line that turns by more than the sides of anything round.
 struct SharpFeatures {
 	enum Kind : char { None, AmongOthers, Alone };
 

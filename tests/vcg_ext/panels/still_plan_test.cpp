@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces made of flat and bent pieces are cut along their creases, and nothing moves.
+#include "developable/panels/crease_regions.h"
+#include "developable/panels/cut_into_panels.h"
+
+#include "panel_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numeric>
+#include <set>
+
+namespace developable::test {
+namespace {
+
+using detail::CutSurface;
+using detail::SharpFeatures;
+
+/// What a lathe makes: rings of vertices with given radii and heights, closed by the first and last.
+TriangleMesh turned(const std::vector<std::array<double, 2>>& profile, int sides) {
+	const int rings = static_cast<int>(profile.size());
+	const auto at = [&](int ring, int side) { return (ring % rings) * sides + side % sides; };
+	Positions positions(3, rings * sides);
+	Eigen::Matrix3Xi triangles(3, 2 * rings * sides);
+	for (int ring = 0; ring < rings; ++ring)
+		for (int side = 0; side < sides; ++side) {
+			const double angle = 2 * pi * side / sides;
+			const auto [radius, height] = profile[ring];
+			positions.col(at(ring, side)) << radius * std::cos(angle), radius * std::sin(angle), height;
+			const int a = at(ring, side), b = at(ring, side + 1);
+			const int c = at(ring + 1, side), d = at(ring + 1, side + 1);
+			triangles.col(2 * a) << a, b, c;
+			triangles.col(2 * a + 1) << b, d, c;
+		}
+	return makeMesh(positions, triangles);
+}
+
+/// A washer with a collar: six rings of faces, of which each is flat or a tube.
+TriangleMesh collar() {
+	return turned({{1, 0}, {3, 0}, {3, 0.3}, {2, 0.3}, {2, 1.5}, {1, 1.5}}, 36);
+}
+
+TEST(StillPanels, areTheFacesOfWhatALatheMakes) {
+	const CutReport report = cutIntoPanels(collar(), {}, {}).report;
+	EXPECT_EQ(report.status, Status::Converged);
+	EXPECT_EQ(report.panels.size(), 6U);
+	EXPECT_LT(report.maxDisplacement, 1e-9);
+	const double facet = 2 * std::sin(pi / 36); // of a circle of radius 1: its chord
+	double seams = 0;
+	for (const double radius : {1.0, 3.0, 3.0, 2.0, 2.0, 1.0})
+		seams += 36 * radius * facet;
+	seams += 0.3 + 1.2 + 1.5; // slits of the tubes
+	EXPECT_NEAR(report.seamLength, seams, 1e-9);
+}
+
+TEST(StillPanels, sayThatTheirSeamsSpareAllMovement) {
+	const CutReport report = cutIntoPanels(collar(), {}, {}).report;
+	std::set<Reason> reasons;
+	for (const CutPanel& panel : report.panels)
+		reasons.insert(panel.reason);
+	for (const Reason reason : reasons)
+		EXPECT_TRUE(reason == Reason::SeamStill || reason == Reason::SeamNoSheet ||
+					reason == Reason::SeamTooFar || reason == Reason::SeamOverlaps)
+			<< int(reason);
+}
+
+TEST(StillPanels, areOneWhereAWholePanelIsFolded) {
+	const TriangleMesh folded = grid(9, 9, [](double u, double v) {
+		return Eigen::Vector3d(u, v, std::abs(u - 0.5)); // by a right angle
+	});
+	const CutReport report = cutIntoPanels(folded, {}, {}).report;
+	EXPECT_EQ(report.status, Status::NothingToDo);
+	EXPECT_EQ(report.panels.size(), 1U);
+}
+
+TEST(StillPanels, areNoneOfARoundShape) {
+	const CutReport report = cutIntoPanels(sphere(1, 2), {}, {}).report; // of 320 triangles, all developable
+	EXPECT_EQ(report.status, Status::Converged);
+	EXPECT_GT(report.meanDisplacement, 1e-3);
+}
+
+TEST(CreaseRegions, areWhatCreasesEnclose) {
+	const CutSurface surface(assembled(collar()));
+	const SharpFeatures features = detail::sharpFeatures(surface, 40);
+	std::vector<int> all(surface.assembly().triangleCount());
+	std::iota(all.begin(), all.end(), 0);
+	const std::vector<int> labels = detail::regionsBetween(features, surface, all);
+	EXPECT_EQ(std::set<int>(labels.begin(), labels.end()).size(), 6U);
+	for (std::size_t t = 0; t < labels.size(); t += 2)
+		EXPECT_EQ(labels[t], labels[t + 1]);
+}
+
+TEST(CreaseRegions, areDevelopableUnlessTheyAreCurved) {
+	CutSurface surface(assembled(collar()));
+	EXPECT_FALSE(detail::isDevelopable(surface)); // with its edges inside
+	std::vector<int> all(surface.assembly().triangleCount());
+	std::iota(all.begin(), all.end(), 0);
+	surface.relabel(detail::regionsBetween(detail::sharpFeatures(surface, 40), surface, all));
+	EXPECT_TRUE(detail::isDevelopable(surface));
+	EXPECT_FALSE(detail::isDevelopable(CutSurface(assembled(sphere(1, 2)))));
+}
+
+} // namespace
+} // namespace developable::test

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// still_plan.cpp: the stages of the work where nothing has to move.
+#include "panel_plan.h"
+
+#include "first_panels.h"
+#include "seam_drawing.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace developable::detail {
+
+namespace {
+
+constexpr double still = 0.02; ///< share of what may move: what is more was made to
+
+double greatestMove(const SewnPanels& sewn) {
+	double greatest = 0;
+	for (const CutPanel& panel : sewn.panels)
+		greatest = std::max(greatest, panel.maxDisplacement);
+	return greatest;
+}
+
+} // namespace
+
+bool PanelPlan::searchStill() {
+	if (!tests_->mayGoOn(0, "looking for creases"))
+		return false;
+	const std::optional<SharpFeatures> features = makeStillPanels(planned_, *tests_, options_, still);
+	if (!features)
+		return false;
+	clusters_ = planned_.surface.panels();
+	join();
+	sewn_ = sewTogether(false);
+	if (tests_->stopped() || worstOf(sewn_) >= 0)
+		return false;
+	straighten(*features);
+	return finish();
+}
+
+/// Slits, and what else is on no sharp edge.
+void PanelPlan::straighten(const SharpFeatures& features) {
+	const PlannedSurface before = planned_;
+	SeamDrawing drawing(before, clusters_, dartTips_, options_, features);
+	drawing.draw(SeamDrawing::Manner::Taut);
+	planned_ = drawing.drawn();
+	SewnPanels sewn = sewTogether(false);
+	if (worstOf(sewn) < 0 &&
+		greatestMove(sewn) <= std::max(greatestMove(sewn_), tests_->limitsOf(0).maxDisplacement) &&
+		planned_.surface.usedPanelCount() <= before.surface.usedPanelCount() &&
+		seamLength(planned_.surface) < seamLength(before.surface))
+		sewn_ = std::move(sewn);
+	else
+		planned_ = before;
+}
+
+} // namespace developable::detail
