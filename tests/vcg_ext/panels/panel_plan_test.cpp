@@ -25,20 +25,20 @@ PlannedSurface inStrips(const GivenPatches& given, int count) {
 TEST(PanelPlan, takesOverTheFirstThatHold) {
 	const GivenPatches given = detail::separatePatches(jitteredGrid(21, 21, steepBump), {});
 	PanelPlan plan = planOf(given);
-	plan.takeOver({inStrips(given, 1), inStrips(given, 9), inStrips(given, 15)}, true);
+	EXPECT_TRUE(plan.takeOver({inStrips(given, 1), inStrips(given, 9), inStrips(given, 15)}));
 	EXPECT_EQ(plan.planned().surface.usedPanelCount(), 9);
 	EXPECT_EQ(plan.result().report.status, Status::Converged);
 }
 
 TEST(PanelPlan, dividesTheFirstWhereNoneHold) {
 	const GivenPatches given = detail::separatePatches(jitteredGrid(21, 21, steepBump), {});
-	PanelPlan divided = planOf(given), left = planOf(given);
-	divided.takeOver({inStrips(given, 1)}, true);
-	EXPECT_GT(divided.planned().surface.usedPanelCount(), 1);
-	EXPECT_EQ(divided.result().report.status, Status::Converged);
-	left.takeOver({inStrips(given, 1)}, false);
-	EXPECT_EQ(left.planned().surface.usedPanelCount(), 1);
-	EXPECT_NE(left.result().report.status, Status::Converged);
+	PanelPlan plan = planOf(given);
+	EXPECT_FALSE(plan.takeOver({inStrips(given, 1), inStrips(given, 2)}));
+	EXPECT_EQ(plan.planned().surface.usedPanelCount(), 1);
+	EXPECT_NE(plan.result().report.status, Status::Converged);
+	plan.divide();
+	EXPECT_GT(plan.planned().surface.usedPanelCount(), 1);
+	EXPECT_EQ(plan.result().report.status, Status::Converged);
 }
 
 /// Nothing is sewn for what would not be taken.

@@ -48,14 +48,18 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 	for (double& limit : limits)
 		limit *= lessRoom;
 	const auto find = options.symmetric ? findSymmetricPanels : findPanels;
-	const FoundPanels found = find(form.patches(), limits, optionsOf(form, options), progress);
+	FoundPanels found = find(form.patches(), limits, optionsOf(form, options), progress);
 	if (found.stopped)
 		return stoppedResult();
 	std::vector<PlannedSurface> carried;
 	carried.reserve(found.planned.size());
 	for (const PlannedSurface& planned : found.planned)
 		carried.push_back(form.carriedBack(planned));
-	here.takeOver(carried, found.hold);
+	if (!here.takeOver(carried) && found.hold) {
+		here.divide();
+		if (options.symmetric && found.notes.empty())
+			found.notes.emplace_back(noteOnDivided);
+	}
 	here.explain();
 	CutResult result = here.result();
 	result.report.notes.insert(result.report.notes.end(), found.notes.begin(), found.notes.end());

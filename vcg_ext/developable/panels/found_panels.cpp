@@ -185,9 +185,7 @@ FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<d
 	const SymmetricOutcome outcome = plan.searchSymmetric(plane);
 	FoundPanels found = foundBy(plan, outcome != SymmetricOutcome::Fails);
 	if (outcome != SymmetricOutcome::Pairs)
-		found.notes.emplace_back(
-			"Not all panels mirror each other: what did not hold among the others had to be "
-			"divided. A larger displacement may help.");
+		found.notes.emplace_back(noteOnDivided);
 	return found;
 }
 

@@ -17,6 +17,10 @@ struct FoundPanels {
 	std::vector<std::string> notes; ///< as in CutReport
 };
 
+inline constexpr const char* noteOnDivided =
+	"Not all panels mirror each other: what did not hold among the others had to be divided. A larger displacement "
+	"may help.";
+
 /// Joining is greedy, and where it ends is much a matter of where it begins: it is done from several sets of
 /// clusters, and what comes to short seams and few panels is sewn together first; another where it promises
 /// more than came of that, and all where it takes little time. Of what holds the fewest panels are taken, of

@@ -254,18 +254,23 @@ std::vector<PlannedSurface> PanelPlan::found() const {
 	return all;
 }
 
-void PanelPlan::takeOver(const std::vector<PlannedSurface>& found, bool held) {
+bool PanelPlan::takeOver(const std::vector<PlannedSurface>& found) {
 	SewnPanels first;
 	for (std::size_t i = 0; i < found.size() && !tests_->stopped(); ++i) {
 		planned_ = found[i];
 		sewn_ = sewTogether(false);
 		if (worstOf(sewn_) < 0)
-			return;
+			return true;
 		if (i == 0)
 			first = sewn_;
 	}
 	planned_ = found.front();
-	sewn_ = held ? divideUntilAllHold() : std::move(first);
+	sewn_ = std::move(first);
+	return false;
+}
+
+void PanelPlan::divide() {
+	sewn_ = divideUntilAllHold();
 }
 
 void PanelPlan::takeOver(PlannedSurface found, SewnPanels sewn) {

@@ -46,10 +46,12 @@ public:
 	/// not hold in the end they are divided, and then do not mirror each other any more.
 	SymmetricOutcome searchSymmetric(const MirrorPlane& plane);
 
-	/// Takes over panels that were found on another copy of the patches: the first that hold here, too. Where
-	/// none do, the first are divided if they held there.
-	/// \param found  not empty
-	void takeOver(const std::vector<PlannedSurface>& found, bool held);
+	/// Takes over panels that were found on another copy of the patches: the first that hold here, too, else
+	/// the first. \param found  not empty \return       whether they hold
+	bool takeOver(const std::vector<PlannedSurface>& found);
+
+	/// Divides what does not hold.
+	void divide();
 
 	/// Takes over panels that were found on these patches.
 	void takeOver(PlannedSurface found, SewnPanels sewn);
