@@ -80,6 +80,16 @@ TEST(StillPanels, areNoneOfARoundShape) {
 	EXPECT_GT(report.meanDisplacement, 1e-3);
 }
 
+TEST(StillPanels, mirrorEachOtherIfTheyAreTo) {
+	CutOptions options;
+	options.symmetric = true;
+	const CutResult cut = cutIntoPanels(collar(), {}, options);
+	EXPECT_EQ(cut.report.status, Status::Converged);
+	EXPECT_LT(cut.report.maxDisplacement, 1e-9);
+	EXPECT_EQ(cut.report.panels.size(), 6U); // each of which is its own mirror image
+	EXPECT_TRUE(cut.report.notes.empty());
+}
+
 TEST(CreaseRegions, areWhatCreasesEnclose) {
 	const CutSurface surface(assembled(collar()));
 	const SharpFeatures features = detail::sharpFeatures(surface, 40);

@@ -133,11 +133,14 @@ bool mayBeBetter(const CutSurface& surface, const FoundPanels& found) {
 }
 
 /// Nothing, unless the surface is developable between its sharp edges.
+/// \param mirror  joins keep to it, or null
 std::optional<FoundPanels> findStillPanels(const GivenPatches& patches, const std::vector<double>& limits,
-										   const CutOptions& options, const Progress& progress) {
+										   const CutOptions& options, const MirrorPlane* mirror,
+										   const Progress& progress) {
 	PanelPlan plan(patches, limits, options, progress);
-	if (plan.searchStill() || plan.stopped())
-		return foundBy(plan, true);
+	const bool hold = mirror != nullptr ? plan.searchStill(*mirror) : plan.searchStill();
+	if (hold || plan.stopped())
+		return foundBy(plan, hold);
 	return {};
 }
 
@@ -145,7 +148,7 @@ std::optional<FoundPanels> findStillPanels(const GivenPatches& patches, const st
 
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress) {
-	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, progress))
+	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, nullptr, progress))
 		return std::move(*still);
 	const Starts starts = joinedStarts(patches, limits, options, progress);
 	std::optional<FoundPanels> found;
@@ -181,6 +184,8 @@ FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<d
 							  " at most. It was cut as if symmetric panels had not been asked for.");
 		return found;
 	}
+	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, &plane, progress))
+		return std::move(*still);
 	PanelPlan plan(patches, limits, options, progress);
 	const SymmetricOutcome outcome = plan.searchSymmetric(plane);
 	FoundPanels found = foundBy(plan, outcome != SymmetricOutcome::Fails);

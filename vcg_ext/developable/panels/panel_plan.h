@@ -41,6 +41,8 @@ public:
 	/// Panels whose seams lie on sharp edges of a surface that is developable between these: nothing has to
 	/// move, or hardly. \return whether there are such panels, and all hold
 	bool searchStill();
+	/// The same with joins that mirror each other.
+	bool searchStill(const MirrorPlane& plane);
 
 	/// Finds panels that mirror each other and hold when they are sewn together, without darts. Where some do
 	/// not hold in the end they are divided, and then do not mirror each other any more.
@@ -70,7 +72,8 @@ public:
 
 private:
 	bool finish();
-	void straighten(const SharpFeatures& features);
+	bool clusterStill();
+	void straighten();
 	void joinToSoFew();
 
 	bool isPromising() const { return !isPromising_ || isPromising_(planned_.surface); }
@@ -103,6 +106,7 @@ private:
 	/// closing overlaps.
 	static constexpr int mostReliefs = 12, mostClosings = 16;
 	double reliefsLeft_ = mostReliefs, closingsLeft_ = mostClosings;
+	std::optional<SharpFeatures> creases_; // of what is developable between them
 	const MirrorPlane* mirror_ = nullptr;
 	std::function<bool(const CutSurface&)> isPromising_;
 	std::vector<Eigen::Vector3d> dartTips_;

@@ -2,8 +2,10 @@
 // still_plan.cpp: the stages of the work where nothing has to move.
 #include "panel_plan.h"
 
+#include "crease_regions.h"
 #include "first_panels.h"
 #include "seam_drawing.h"
+#include "symmetric_joining.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,25 +25,42 @@ double greatestMove(const SewnPanels& sewn) {
 
 } // namespace
 
-bool PanelPlan::searchStill() {
+bool PanelPlan::clusterStill() {
 	if (!tests_->mayGoOn(0, "looking for creases"))
 		return false;
-	const std::optional<SharpFeatures> features = makeStillPanels(planned_, *tests_, options_, still);
-	if (!features)
-		return false;
+	creases_ = makeStillPanels(planned_, *tests_, options_, still);
 	clusters_ = planned_.surface.panels();
+	return creases_.has_value();
+}
+
+bool PanelPlan::searchStill() {
+	if (!clusterStill())
+		return false;
 	join();
 	sewn_ = sewTogether(false);
 	if (tests_->stopped() || worstOf(sewn_) >= 0)
 		return false;
-	straighten(*features);
+	straighten();
 	return finish();
 }
 
+/// What a crease encloses mirrors what its mirror image encloses: only joins across creases have to go in
+/// pairs.
+bool PanelPlan::searchStill(const MirrorPlane& plane) {
+	if (!clusterStill())
+		return false;
+	CutSurface& surface = planned_.surface;
+	joinPanels(surface, *tests_, history_,
+			   [&](const SeamChain& chain) { return !liesOnCrease(chain, surface, *creases_); });
+	joinSymmetrically(surface, *tests_, history_, plane, mirroredTriangles(planned_.mesh, plane));
+	sewn_ = sewTogether(false);
+	return !tests_->stopped() && worstOf(sewn_) < 0;
+}
+
 /// Slits, and what else is on no sharp edge.
-void PanelPlan::straighten(const SharpFeatures& features) {
+void PanelPlan::straighten() {
 	const PlannedSurface before = planned_;
-	SeamDrawing drawing(before, clusters_, dartTips_, options_, features);
+	SeamDrawing drawing(before, clusters_, dartTips_, options_, *creases_);
 	drawing.draw(SeamDrawing::Manner::Taut);
 	planned_ = drawing.drawn();
 	SewnPanels sewn = sewTogether(false);
