@@ -75,7 +75,7 @@ TEST(StillPanels, areOneWhereAWholePanelIsFolded) {
 }
 
 TEST(StillPanels, areNoneOfARoundShape) {
-	const CutReport report = cutIntoPanels(sphere(1, 2), {}, {}).report; // of 320 triangles, all developable
+	const CutReport report = cutIntoPanels(sphere(1, 2), {}, {}).report; // of 320 triangles
 	EXPECT_EQ(report.status, Status::Converged);
 	EXPECT_GT(report.meanDisplacement, 1e-3);
 }

@@ -69,14 +69,7 @@ void divideUntilFlat(PlannedSurface& planned, PanelTests& tests, const CutOption
 	}
 }
 
-/// Whether anybody would fold and glue so many pieces. Where most edges turn by less than creases do, they
-/// are those of a round shape of few triangles.
-bool isFolded(const CutSurface& surface, bool byCreases) {
-	constexpr int mostPieces = 500, trianglesOfPiece = 4;
-	const int pieces = surface.panelCount();
-	return pieces <= mostPieces &&
-		   (byCreases || trianglesOfPiece * pieces <= surface.assembly().triangleCount());
-}
+constexpr int mostPieces = 500; ///< that anybody would fold and glue
 
 /// As if each were alone.
 SharpFeatures everySharpEdge(const CutSurface& surface, double creaseAngle) {
@@ -125,18 +118,15 @@ void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOption
 
 std::optional<SharpFeatures> makeStillPanels(PlannedSurface& planned, PanelTests& tests,
 											 const CutOptions& options, double still) {
-	for (const double share : {1.0, 0.5, 0.25}) {
-		SharpFeatures features = everySharpEdge(planned.surface, share * options.creaseAngle);
-		divideBetween(features, planned, options);
-		if (!isFolded(planned.surface, share == 1) || !isDevelopable(planned.surface))
-			continue;
-		keepPanelsWhole(planned.surface, tests, features);
-		divideBetween(features, planned, options);
-		tests.scaleLimits(still);
-		divideUntilFlat(planned, tests, options);
-		return features;
-	}
-	return {};
+	SharpFeatures features = everySharpEdge(planned.surface, options.creaseAngle);
+	divideBetween(features, planned, options);
+	if (planned.surface.panelCount() > mostPieces || !isDevelopable(planned.surface))
+		return {};
+	keepPanelsWhole(planned.surface, tests, features);
+	divideBetween(features, planned, options);
+	tests.scaleLimits(still);
+	divideUntilFlat(planned, tests, options);
+	return features;
 }
 
 bool divideInTwo(PlannedSurface& planned, const CutOptions& options, int panel) {
