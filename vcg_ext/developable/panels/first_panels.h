@@ -11,8 +11,9 @@
 
 namespace developable::detail {
 
-/// Patches that are no panels are divided by their creases, what is none then in clusters of normals, and
-/// what still is no panel until it is one. \param clusterDeviation  as in ClusterOptions
+/// Patches that are no panels are divided by their creases, what is none then in clusters of normals, and the
+/// rest until each is one.
+/// \param clusterDeviation  as in ClusterOptions
 void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOptions& options,
 					 double clusterDeviation);
 

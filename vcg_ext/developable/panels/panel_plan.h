@@ -38,8 +38,8 @@ public:
 	/// \return             whether all hold
 	bool search(std::function<bool(const CutSurface&)> isPromising = {});
 
-	/// Panels whose seams lie on sharp edges of a surface that is developable between these: nothing has to
-	/// move, or hardly. \return whether there are such panels, and all hold
+	/// Panels whose seams lie on sharp edges of a surface that is developable between these: nothing moves,
+	/// or hardly. \return whether there are such panels, and all hold
 	bool searchStill();
 	/// The same with joins that mirror each other.
 	bool searchStill(const MirrorPlane& plane);
@@ -48,8 +48,9 @@ public:
 	/// not hold in the end they are divided, and then do not mirror each other any more.
 	SymmetricOutcome searchSymmetric(const MirrorPlane& plane);
 
-	/// Takes over panels that were found on another copy of the patches: the first that hold here, too, else
-	/// the first. \param found  not empty \return       whether they hold
+	/// Takes over panels that were found on another copy of the patches: the first that hold, else the first.
+	/// \param found  not empty
+	/// \return       whether they hold here, too
 	bool takeOver(const std::vector<PlannedSurface>& found);
 
 	/// Divides what does not hold.
