@@ -80,6 +80,18 @@ TEST(StillPanels, areNoneOfARoundShape) {
 	EXPECT_GT(report.meanDisplacement, 1e-3);
 }
 
+/// Its rings are parts of cones, which turn by 11° from one to the next: no creases.
+TEST(StillPanels, areNotTheRingsOfABend) {
+	const TriangleMesh bend = grid(13, 9, [](double u, double v) {
+		const double round = 1.5 * pi * u, along = pi / 2 * v, radius = 3 + std::cos(round);
+		return Eigen::Vector3d(radius * std::cos(along), radius * std::sin(along), std::sin(round));
+	});
+	const CutReport report = cutIntoPanels(bend, {}, {}).report;
+	EXPECT_EQ(report.status, Status::Converged);
+	EXPECT_LT(report.panels.size(), 6U); // of eight rings
+	EXPECT_GT(report.meanDisplacement, 1e-3);
+}
+
 TEST(StillPanels, mirrorEachOtherIfTheyAreTo) {
 	CutOptions options;
 	options.symmetric = true;
