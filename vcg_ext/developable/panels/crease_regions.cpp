@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// crease_regions.cpp: floods that creases hold, and what is left inside.
+// crease_regions.cpp: triangles that no crease keeps apart, and what is left inside.
 #include "crease_regions.h"
 
 #include <cmath>
@@ -8,28 +8,15 @@ namespace developable::detail {
 
 std::vector<int> regionsBetween(const SharpFeatures& features, const CutSurface& surface,
 								const std::vector<int>& triangles) {
-	std::vector<int> region(surface.assembly().triangleCount(), -1);
-	for (const int first : triangles) {
-		if (region[first] >= 0)
-			continue;
-		std::vector<int> open = {first};
-		region[first] = first;
-		while (!open.empty()) {
-			const int t = open.back();
-			open.pop_back();
-			for (int h = 3 * t; h < 3 * t + 3; ++h) {
-				const int other = surface.across(h) < 0 ? -1 : triangleOf(surface.across(h));
-				if (other < 0 || region[other] >= 0 || features.edges[h] == SharpFeatures::Alone)
-					continue;
-				region[other] = first;
-				open.push_back(other);
-			}
-		}
-	}
+	DisjointSets regions(surface.assembly().triangleCount());
+	for (const int t : triangles)
+		for (int h = 3 * t; h < 3 * t + 3; ++h)
+			if (surface.across(h) >= 0 && features.edges[h] != SharpFeatures::Alone)
+				regions.unite(t, triangleOf(surface.across(h)));
 	std::vector<int> labels;
 	labels.reserve(triangles.size());
 	for (const int t : triangles)
-		labels.push_back(region[t]);
+		labels.push_back(regions.find(t));
 	return labels;
 }
 

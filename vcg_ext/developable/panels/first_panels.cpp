@@ -19,10 +19,9 @@ namespace {
 constexpr double smoothing = 1.5; ///< how far labels spread, in mean edge lengths
 
 /// Labels spread a little, which takes away the teeth of their edges.
-void tidyClusters(PlannedSurface& planned, const CutOptions& options) {
+void tidyClusters(PlannedSurface& planned, const SharpFeatures& features, const CutOptions& options) {
 	const int count = planned.surface.assembly().triangleCount();
-	const Spreading spreading{sharpFeatures(planned.surface, options.creaseAngle),
-							  std::vector<double>(count, smoothing), std::vector<char>(count, 1)};
+	const Spreading spreading{features, std::vector<double>(count, smoothing), std::vector<char>(count, 1)};
 	const Memberships spread =
 		memberships(planned.surface, planned.surface.panels(), planned.surface.panelCount(), spreading,
 					keptTriangles(planned, options));
@@ -30,16 +29,20 @@ void tidyClusters(PlannedSurface& planned, const CutOptions& options) {
 		planned.surface.withoutFragments(withSelectedWhole(planned, options, mostMembership(spread))));
 }
 
+/// On all panels.
+std::vector<PanelVerdict> verdictsOn(const CutSurface& surface, PanelTests& tests) {
+	std::vector<PanelTrial> trials;
+	trials.reserve(surface.panelCount());
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		trials.push_back(trialOf(surface, surface.trianglesOf(panel)));
+	return tests.test(trials);
+}
+
 /// Every panel that is not flat, by some labels of its triangles.
 void divideWhatIsNotFlat(PlannedSurface& planned, PanelTests& tests,
 						 const std::function<std::vector<int>(const std::vector<int>&)>& labelsOf) {
-	const int count = planned.surface.panelCount();
-	std::vector<PanelTrial> trials;
-	trials.reserve(count);
-	for (int panel = 0; panel < count; ++panel)
-		trials.push_back(trialOf(planned.surface, planned.surface.trianglesOf(panel)));
-	const std::vector<PanelVerdict> verdicts = tests.test(trials);
-	for (int panel = 0; panel < count && !tests.stopped(); ++panel)
+	const std::vector<PanelVerdict> verdicts = verdictsOn(planned.surface, tests);
+	for (int panel = 0; panel < static_cast<int>(verdicts.size()) && !tests.stopped(); ++panel)
 		if (!verdicts[panel].flat)
 			planned.surface.divide(panel, labelsOf(planned.surface.trianglesOf(panel)));
 }
@@ -87,13 +90,9 @@ void divideBetween(const SharpFeatures& features, PlannedSurface& planned, const
 }
 
 /// No edge is sharp in a patch that is a panel already.
-void keepPanelsWhole(CutSurface& surface, PanelTests& tests, SharpFeatures& features) {
+void keepPanelsWhole(const CutSurface& surface, PanelTests& tests, SharpFeatures& features) {
 	const CutSurface whole(surface.assembly());
-	std::vector<PanelTrial> trials;
-	trials.reserve(whole.panelCount());
-	for (int patch = 0; patch < whole.panelCount(); ++patch)
-		trials.push_back(trialOf(whole, whole.trianglesOf(patch)));
-	const std::vector<PanelVerdict> verdicts = tests.test(trials);
+	const std::vector<PanelVerdict> verdicts = verdictsOn(whole, tests);
 	for (int h = 0; h < static_cast<int>(features.edges.size()); ++h)
 		if (verdicts[whole.panelOf(triangleOf(h))].flat)
 			features.edges[h] = SharpFeatures::None;
@@ -112,7 +111,7 @@ void makeFirstPanels(PlannedSurface& planned, PanelTests& tests, const CutOption
 	divideWhatIsNotFlat(planned, tests, [&](const std::vector<int>& triangles) {
 		return normalClusters(planned.surface, triangles, clusters);
 	});
-	tidyClusters(planned, options);
+	tidyClusters(planned, creases, options);
 	divideUntilFlat(planned, tests, options);
 }
 

@@ -93,10 +93,14 @@ const std::vector<int>& PanelPlan::cluster(double deviation) {
 	return clusters_;
 }
 
-void PanelPlan::join() {
-	const SharpFeatures creases = sharpFeatures(planned_.surface, options_.creaseAngle);
+/// Across seams that lie on none of some creases.
+void PanelPlan::joinBetween(const SharpFeatures& creases) {
 	joinPanels(planned_.surface, *tests_, history_,
 			   [&](const SeamChain& chain) { return !liesOnCrease(chain, planned_.surface, creases); });
+}
+
+void PanelPlan::join() {
+	joinBetween(sharpFeatures(planned_.surface, options_.creaseAngle));
 	joinPanels(planned_.surface, *tests_, history_);
 	joinedGreedily_ = planned_;
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);

@@ -75,6 +75,7 @@ private:
 	bool finish();
 	bool clusterStill();
 	void straighten();
+	void joinBetween(const SharpFeatures& creases);
 	void joinToSoFew();
 
 	bool isPromising() const { return !isPromising_ || isPromising_(planned_.surface); }

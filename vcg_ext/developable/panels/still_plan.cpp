@@ -2,7 +2,6 @@
 // still_plan.cpp: the stages of the work where nothing has to move.
 #include "panel_plan.h"
 
-#include "crease_regions.h"
 #include "first_panels.h"
 #include "seam_drawing.h"
 #include "symmetric_joining.h"
@@ -15,13 +14,6 @@ namespace developable::detail {
 namespace {
 
 constexpr double still = 0.02; ///< share of what may move: what is more was made to
-
-double greatestMove(const SewnPanels& sewn) {
-	double greatest = 0;
-	for (const CutPanel& panel : sewn.panels)
-		greatest = std::max(greatest, panel.maxDisplacement);
-	return greatest;
-}
 
 } // namespace
 
@@ -49,10 +41,8 @@ bool PanelPlan::searchStill() {
 bool PanelPlan::searchStill(const MirrorPlane& plane) {
 	if (!clusterStill())
 		return false;
-	CutSurface& surface = planned_.surface;
-	joinPanels(surface, *tests_, history_,
-			   [&](const SeamChain& chain) { return !liesOnCrease(chain, surface, *creases_); });
-	joinSymmetrically(surface, *tests_, history_, plane, mirroredTriangles(planned_.mesh, plane));
+	joinBetween(*creases_);
+	joinSymmetrically(planned_.surface, *tests_, history_, plane, mirroredTriangles(planned_.mesh, plane));
 	sewn_ = sewTogether(false);
 	return !tests_->stopped() && worstOf(sewn_) < 0;
 }
@@ -65,7 +55,7 @@ void PanelPlan::straighten() {
 	planned_ = drawing.drawn();
 	SewnPanels sewn = sewTogether(false);
 	if (worstOf(sewn) < 0 &&
-		greatestMove(sewn) <= std::max(greatestMove(sewn_), tests_->limitsOf(0).maxDisplacement) &&
+		sewn.maxDisplacement <= std::max(sewn_.maxDisplacement, tests_->limitsOf(0).maxDisplacement) &&
 		planned_.surface.usedPanelCount() <= before.surface.usedPanelCount() &&
 		seamLength(planned_.surface) < seamLength(before.surface))
 		sewn_ = std::move(sewn);
