@@ -12,11 +12,11 @@
 namespace developable::test {
 namespace {
 
-constexpr int columns = 41;
+constexpr int sheetColumns = 41;
 
 /// Developable to the last bits, as its edges run along the rulings.
 PatchAssembly ruledSheet() {
-	return assembled(jitteredGrid(columns, columns, quarterCylinder, 0));
+	return assembled(jitteredGrid(sheetColumns, sheetColumns, quarterCylinder, 0));
 }
 
 /// With some places moved along their normals by a share of an edge.
@@ -32,7 +32,7 @@ class LocalStepsOnASheet : public ::testing::Test {
 protected:
 	const PatchAssembly assembly = ruledSheet();
 	const detail::NewtonProblem problem = problemOf(assembly);
-	const int one = columns * 10 + 10, other = columns * 30 + 30;
+	const int one = sheetColumns * 10 + 10, other = sheetColumns * 30 + 30;
 
 	std::optional<detail::Shape> improved(const Positions& ahead, double before) const {
 		return detail::LocalSteps(problem, 1).improved(problem.shapeAt(ahead), before);
@@ -147,7 +147,7 @@ TEST_F(LocalStepsOnASheet, FollowAWholeStepThatLeavesMoreThanItMay) {
 /// A surface of few flat facets, each of many triangles: whole steps spoil places on them.
 PatchAssembly facetedSheet(const Surface& surface, int facets) {
 	return assembled(jitteredGrid(
-		columns, columns,
+		sheetColumns, sheetColumns,
 		[&](double u, double v) {
 			const double i = std::min(std::floor(u * facets), facets - 1.0), a = u * facets - i;
 			const double j = std::min(std::floor(v * facets), facets - 1.0), b = v * facets - j;

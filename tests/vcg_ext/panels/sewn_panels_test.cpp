@@ -2,6 +2,8 @@
 // What becomes of panels that are sewn together stays within what is preferred, where that is easy.
 #include "developable/panels/sewn_panels.h"
 
+#include "developable/newton/constrained_newton.h"
+#include "developable/newton/displacement_metric.h"
 #include "developable/panels/planned_surface.h"
 #include "panel_shapes.h"
 
@@ -28,6 +30,34 @@ TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
 	EXPECT_EQ(detail::worstOf(within), -1);
 	EXPECT_LE(within.maxDisplacement, preferred);
 	EXPECT_GT(within.maxDisplacement, preferred / 2);
+}
+
+/// Little room is no reason to cut where the method by itself comes as close.
+TEST(SewnPanels, holdWithinLessThanIsPreferredWhereTheMethodComesAsClose) {
+	const GivenPatches given = detail::separatePatches(jitteredGrid(49, 25,
+																	[](double u, double v) {
+																		const double x = 2 * u;
+																		const double z =
+																			saddle(1 - std::abs(x - 1), v)[2];
+																		return Eigen::Vector3d(x, v, z);
+																	}),
+													   {});
+	const PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 2))};
+	const TriangleMesh cut = detail::meshAsCut(planned, given.vertexTaken);
+	const double preferred = ConstrainedNewtonOptions().tuning.preferredMove;
+	const double limit = 0.6 * preferred * boxDiagonal(given.mesh.positions);
+	for (const bool brief : {true, false}) {
+		const SewnPanels sewn =
+			detail::developSewnPanels(cut, planned.surface, {limit}, {}, preferred, brief, {});
+		EXPECT_EQ(detail::worstOf(sewn), -1);
+		EXPECT_EQ(sewn.provisional, brief);
+	}
+	ConstrainedNewtonOptions plain;
+	plain.tuning.closerTries = 0;
+	const PatchAssembly assembly = assembled(cut);
+	Positions positions = assembly.originalPositions;
+	constrainedNewton(assembly, positions, plain);
+	EXPECT_GT(farthestMove(assembly, positions), limit);
 }
 
 /// What a coarse level says is what the surface does, and takes less time.

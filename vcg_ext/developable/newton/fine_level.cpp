@@ -109,7 +109,7 @@ NewtonOutcome solveFine(NewtonProblem& problem, const CoarseShape& coarse, int m
 			ending = refineBeyondPreferred(problem, run, rounds);
 			ended = true;
 		}
-		if (ended)
+		if (ended || problem.tuning().beyondPreferred == 0)
 			return {ending, run.iterations(), run.nearest()};
 		before = run.iterations();
 	}

@@ -156,6 +156,10 @@ AttemptResult attempt(NewtonProblem& problem, const Positions& start, const Atte
 	const bool developable = within.ending == Ending::Reached;
 	if (within.ending == Ending::Stopped || (developable && isNearEnough(problem, within.positions)))
 		return within;
+	if (problem.tuning().beyondPreferred == 0) {
+		within.ending = Ending::TooFar;
+		return within;
+	}
 	AttemptSetting left = setting;
 	left.maxIterations -= within.iterations;
 	AttemptResult plain = plainAttempt(problem, start, left, partOf(progress, shareWithin, 1));

@@ -2,6 +2,7 @@
 // newton_part.cpp: all patches of a part, then those that are left without the worst.
 #include "newton_part.h"
 
+#include "closer_runs.h"
 #include "frozen_panels.h"
 
 namespace developable::detail {
@@ -74,7 +75,13 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	}
 	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations,
 							options.memoryLimit, options.tuning);
-	NewtonOutcome outcome = solve(part, result.positions, strategy, progress);
+	strategy.prefer(boundWithin(part, options.tuning));
+	const bool mayBeCloser = mayComeCloser(part, options.tuning);
+	constexpr double shareOfFirst = 0.7; // of the time
+	NewtonOutcome outcome =
+		solve(part, result.positions, strategy, partOf(progress, 0, mayBeCloser ? shareOfFirst : 1));
+	if (mayBeCloser && outcome.ending == Ending::Reached)
+		comeCloser(part, result.positions, strategy, outcome, partOf(progress, shareOfFirst, 1, "closer: "));
 	// Of several panels the last may get there on the others' way.
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
 		outcome.ending = Ending::Reached;

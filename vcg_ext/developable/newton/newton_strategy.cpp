@@ -77,6 +77,7 @@ NewtonStrategy NewtonStrategy::coarser(bool fairerElsewhere) const {
 	if (!isCoarse_) {
 		result.goal_.farthest *= tuning_.coarseRoom;
 		result.tuning_.preferredMove *= tuning_.coarseRoom;
+		result.tuning_.preferredLength *= tuning_.coarseRoom;
 		result.tuning_.localRows = tuning_.coarseLocalRows;
 	}
 	result.tuning_.localPlaces = static_cast<int>(tuning_.localPlaces / tuning_.levelRatio);

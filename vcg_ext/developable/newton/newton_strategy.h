@@ -28,6 +28,11 @@ public:
 	/// What all work from now on is taken from; at first without limit.
 	void setBudget(std::shared_ptr<WorkBudget> budget) { budget_ = std::move(budget); }
 
+	/// \param length  see NewtonTuning::preferredLength
+	void prefer(double length) { tuning_.preferredLength = length; }
+	/// Where panels that are sewn together can't be within that they are given up from now on.
+	void giveUpBeyondPreferred() { tuning_.beyondPreferred = 0; }
+
 	/// From coarse to fine, all patches together.
 	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
 						const Progress& progress) const;

@@ -140,13 +140,15 @@ struct NewtonTuning {
 	double boundAim = 0.97;     ///< share of the bound: where places beyond it are pulled back to
 	int boundRounds = 5;        ///< of pulling back and restoring
 	double returnReach = 3;     ///< of the bound: shapes farther away are given up
-	double preferredMove = 0.02;  ///< share of the diagonal: less far is a bound that is kept if that is easy
-	int returnPlaces = 7000;      ///< more: the way to within the preferred move is left to a coarser level
-	double preferredPrice = 1.05; ///< of it: the mean displacement, beside what it was
-	double preferredReach = 3;    ///< of it: shapes farther away are taken as they are
+	double preferredMove = 0.02; ///< share of the diagonal: less far is a bound that is kept if that is easy
+	double preferredLength = 1e300; ///< length: the same, where that is less
+	int returnPlaces = 7000;        ///< more: the way to within the preferred move is left to a coarser level
+	double preferredPrice = 1.05;   ///< of it: the mean displacement, beside what it was
+	double preferredReach = 3;      ///< of it: shapes farther away are taken as they are
 	double preferredCurvature = 0.15; ///< of the original, a share: more of it back within the move, likewise
 	double preferredWork = 6;         ///< times the rest: on ways back
 	double preferredWorkPerPlace = 1000; ///< at most on a single panel, in units of WorkBudget
+	int beyondPreferred = 1;             ///< 0: panels that are sewn together are given up instead
 	double pullBackReach = 1.6;          ///< of a bound: from farther away places are not pulled back
 	double pullBackShare = 0.7;          ///< of the displacement, at the second try
 	int pullBackRounds = 4;              ///< a try, each with more heavy places
@@ -154,6 +156,14 @@ struct NewtonTuning {
 	double goOnBeyond = 0.01; ///< share of C at the start from which steps within it go on beyond it
 	int leastSquares = 1;     ///< 0: where there is no way back, steps do not go on to the least squares of g
 	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
+
+	// Panels that are sewn together and developable: closer yet, if that is easy.
+	double closerFrom = 0.5;    ///< share of the preferred move: less far is near enough
+	double closerPlaces = 0.05; ///< share of the places that may have moved farther than they are to move
+	double closerStep = 0.866;  ///< of a bound: the next lower one
+	int closerTries = 3;
+	double closerWork = 8;   ///< times what came before: on each try
+	double closerGain = 0.9; ///< share of the largest displacement: bounds above it gain too little
 
 	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200
 	// steps.

@@ -32,7 +32,7 @@ bool PanelPlan::absorb(int panel, int neighbour) {
 bool PanelPlan::keepIfAllHold(CutSurface changed) {
 	std::swap(planned_.surface, changed);
 	SewnPanels sewn = sewTogether(true);
-	if (worstOf(sewn) < 0 && sewn.coarse)
+	if (worstOf(sewn) < 0 && sewn.provisional)
 		sewn = sewTogether(false);
 	const bool holds = worstOf(sewn) < 0;
 	if (holds)

@@ -37,11 +37,11 @@ SewnPanels PanelPlan::sewTogether(bool brief) {
 	return sewn;
 }
 
-/// What holds on a coarse level may not on the surface itself: then overlaps are closed, and darts cut, where
-/// it does not, as far as the coarse level holds with these, too.
+/// What holds briefly may not as the user will have it: then overlaps are closed, and darts cut, where it
+/// does not, as far as it holds briefly with these, too.
 SewnPanels PanelPlan::confirmed(SewnPanels sewn) {
 	constexpr int attempts = 3;
-	for (int attempt = 1; sewn.coarse && worstOf(sewn) < 0 && !tests_->stopped(); ++attempt) {
+	for (int attempt = 1; sewn.provisional && worstOf(sewn) < 0 && !tests_->stopped(); ++attempt) {
 		sewn = sewTogether(false);
 		if (attempt < attempts)
 			sewn = relieved(std::move(sewn), true);

@@ -43,9 +43,9 @@ private:
 		bool brief;
 		SewnPanels sewn;
 	};
-	/// Without a material, being brief makes a difference on coarse levels only.
+	/// Without a material, who asks briefly is served by what was seen wholly.
 	bool serves(const Seen& seen, bool brief) const {
-		return seen.brief == brief || (!seen.sewn.coarse && !options_.material.bounds.any());
+		return seen.brief == brief || (!seen.sewn.provisional && !options_.material.bounds.any());
 	}
 	static constexpr std::size_t mostSeen = 8; // large surfaces take room
 

@@ -191,9 +191,9 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 	for (const int patch : coarse.wholePatch)
 		panelOfCoarsePatch.push_back(panelOfPatch[patch]);
 	options.tuning.preferredMove *= options.tuning.coarseRoom;
+	options.tuning.preferredLength *= options.tuning.coarseRoom;
 	Positions positions = coarse.assembly.originalPositions;
 	constrainedNewton(coarse.assembly, positions, options, progress);
-	result.coarse = true;
 	measurePanels(coarse.assembly, positions, surface, panelOfCoarsePatch, limits, result);
 	if (!judgeCurvature(options, panelOfCoarsePatch, limits, result))
 		return;
@@ -296,9 +296,17 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	const std::vector<double> limits = limitsOfPanels(surface, maxDisplacement);
 	ConstrainedNewtonOptions options;
 	options.tuning.preferredMove = preferredMove;
-	if (material.bounds.any())
+	if (material.bounds.any()) {
 		developStrained(assembly, surface, material, brief, limits, result, progress);
-	else if (brief && hasCoarseLevel(assembly, options.tuning))
+		return result;
+	}
+	if (brief) {
+		options.tuning.preferredLength = *std::max_element(limits.begin(), limits.end());
+		options.tuning.closerTries = 0;
+	}
+	result.provisional = brief;
+	result.coarse = brief && hasCoarseLevel(assembly, options.tuning);
+	if (result.coarse)
 		developCoarsely(assembly, surface, options, limits, result, progress);
 	else
 		developWholly(assembly, surface, options, limits, result, progress);

@@ -22,7 +22,8 @@ struct SewnPanels {
 	Positions corners;
 	double meanDisplacement = 0;
 	double maxDisplacement = 0;
-	bool coarse = false; ///< seen on a coarse level: the surface itself may end otherwise
+	bool provisional = false; ///< seen briefly: the user's run may end otherwise
+	bool coarse = false;      ///< on a coarse level
 
 	/// What the run counts for where runs are limited, beside one on the surface itself; it takes less.
 	double cost() const { return coarse ? 0.5 : 1; }
@@ -56,8 +57,8 @@ bool wantsDart(const CutPanel& panel);
 /// \param maxDisplacement  per patch of the surface
 /// \param material         without any strain all have to become developable
 /// \param preferredMove    see NewtonTuning, share of the diagonal
-/// \param brief            a run on a coarse level of a large surface; with a material one that gives up
-/// early
+/// \param brief            a run on a coarse level of a large surface, that keeps to the limits from the
+///                         first if it can; with a material one that gives up early
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
 							 double preferredMove, bool brief, const Progress& progress);
