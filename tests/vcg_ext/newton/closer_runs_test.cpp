@@ -59,6 +59,33 @@ TEST(CloserRuns, stopWhenTheyAreTold) {
 	EXPECT_EQ(report.status, Status::Stopped);
 }
 
+/// What a run without a bound does one with it can do as well.
+TEST(BoundOfSewnPanels, isKeptWhereItIsByDefault) {
+	for (const auto& [surface, height] : {std::make_pair(Surface(vamp), 1.0), {Surface(saddle), 2.0}}) {
+		const PatchAssembly assembly = mirrored(surface, height);
+		ConstrainedNewtonOptions options;
+		options.maxDisplacement = 0.02 * boxDiagonal(assembly.originalPositions);
+		ASSERT_LE(farthestMove(assembly, solved(assembly, 0)), options.maxDisplacement);
+		Positions positions = assembly.originalPositions;
+		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+		EXPECT_LE(farthestMove(assembly, positions), options.maxDisplacement);
+		expectSound(assembly, positions);
+	}
+}
+
+TEST(BoundOfSewnPanels, isKeptWhenARunIsStopped) {
+	const PatchAssembly assembly = mirrored(largeSaddle, 1);
+	ConstrainedNewtonOptions options;
+	options.maxDisplacement = 0.002 * boxDiagonal(assembly.originalPositions);
+	for (const int calls : {3, 10, 20}) {
+		Positions positions = assembly.originalPositions;
+		int left = calls;
+		const auto stop = [&](double, const std::string&) { return --left > 0; };
+		EXPECT_EQ(constrainedNewton(assembly, positions, options, stop).status, Status::Stopped);
+		EXPECT_LE(farthestMove(assembly, positions), options.maxDisplacement);
+	}
+}
+
 TEST(CloserRuns, haveTheSameBoundsWhateverIsPreferred) {
 	const PatchAssembly assembly = mirrored(saddle, 1);
 	NewtonTuning tuning;

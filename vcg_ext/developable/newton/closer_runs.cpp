@@ -54,7 +54,7 @@ void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrateg
 	const double nearEnough = tuning.closerFrom * tuning.preferredMove * boxDiagonal(part.originalPositions);
 	if (moves.maxCoeff() <= nearEnough || bound > tuning.closerGain * moves.maxCoeff())
 		return;
-	const double work = tuning.closerWork * strategy.budget().used();
+	const double work = tuning.closerWorkPerPlace * part.placeCount();
 	strategy.giveUpBeyondPreferred();
 	bool wasKept = false;
 	for (int tries = 0; tries < tuning.closerTries && bound < moves.maxCoeff(); ++tries) {

@@ -17,7 +17,7 @@ bool mayComeCloser(const PatchAssembly& part, const NewtonTuning& tuning);
 
 /// Where few places of a developable shape moved nearly as far as the farthest, all may move less: tries the
 /// least bound that few are beyond; from there ever lower ones while they are kept, or else higher ones.
-/// \param strategy  which led from the start to the outcome, with its budget
+/// \param strategy  which led from the start to the outcome
 /// \param outcome   becomes what is closer
 void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrategy strategy,
 				NewtonOutcome& outcome, const Progress& progress);

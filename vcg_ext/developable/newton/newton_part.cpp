@@ -3,6 +3,7 @@
 #include "newton_part.h"
 
 #include "closer_runs.h"
+#include "displacement_metric.h"
 #include "frozen_panels.h"
 
 namespace developable::detail {
@@ -11,6 +12,11 @@ namespace {
 
 /// Of the work, as far as one can tell: what all patches together take before some are frozen.
 constexpr double shareOfAllTogether = 0.7;
+
+NewtonStrategy strategyFor(const ConstrainedNewtonOptions& options, const CurvatureGoal& goal) {
+	return {options.smoothness,    options.fairness,    goal,
+			options.maxIterations, options.memoryLimit, options.tuning};
+}
 
 NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStrategy& strategy,
 					const Progress& progress) {
@@ -32,6 +38,39 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work, extra));
 	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
 	return FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(outcome);
+}
+
+/// Within the goal's bound, and where that is far enough away within less if that is easy.
+NewtonOutcome solveWithin(const PatchAssembly& part, const Positions& start,
+						  const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
+						  const Progress& progress) {
+	constexpr double shareOfFirst = 0.7; // of the time
+	const bool mayBeCloser = mayComeCloser(part, options.tuning);
+	NewtonStrategy strategy = strategyFor(options, goal);
+	strategy.prefer(boundWithin(part, options.tuning));
+	NewtonOutcome outcome = solve(part, start, strategy, partOf(progress, 0, mayBeCloser ? shareOfFirst : 1));
+	if (mayBeCloser && outcome.ending == Ending::Reached)
+		comeCloser(part, start, strategy, outcome, partOf(progress, shareOfFirst, 1, "closer: "));
+	return outcome;
+}
+
+/// Steps that a bound cuts short often lead nowhere where panels that are sewn together pull at each other:
+/// more of them end within one that is only preferred, and that is tried first.
+NewtonOutcome solvePreferringFirst(const PatchAssembly& part, const Positions& start,
+								   const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
+								   const Progress& progress) {
+	constexpr double shareOfPreferring = 0.5; // of the time
+	CurvatureGoal usual = goal;
+	usual.farthest = farthestAllowed(part, -1);
+	NewtonStrategy strategy = strategyFor(options, usual);
+	strategy.prefer(goal.farthest);
+	NewtonOutcome outcome = solve(part, start, strategy, partOf(progress, 0, shareOfPreferring));
+	const bool kept = farthestMove(part, outcome.positions) <= goal.farthest;
+	if (outcome.ending == Ending::Stopped && !kept)
+		outcome.positions = start;
+	if (outcome.ending == Ending::Stopped || (outcome.ending == Ending::Reached && kept))
+		return outcome;
+	return solveWithin(part, start, options, goal, partOf(progress, shareOfPreferring, 1));
 }
 
 /// Without held places nothing else than the shape itself can stand in the way.
@@ -73,15 +112,9 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 		result.ending = Ending::Stuck;
 		return result;
 	}
-	NewtonStrategy strategy(options.smoothness, options.fairness, goal, options.maxIterations,
-							options.memoryLimit, options.tuning);
-	strategy.prefer(boundWithin(part, options.tuning));
-	const bool mayBeCloser = mayComeCloser(part, options.tuning);
-	constexpr double shareOfFirst = 0.7; // of the time
+	const bool isTight = farthest < farthestAllowed(part, -1) && mayComeCloser(part, options.tuning);
 	NewtonOutcome outcome =
-		solve(part, result.positions, strategy, partOf(progress, 0, mayBeCloser ? shareOfFirst : 1));
-	if (mayBeCloser && outcome.ending == Ending::Reached)
-		comeCloser(part, result.positions, strategy, outcome, partOf(progress, shareOfFirst, 1, "closer: "));
+		(isTight ? solvePreferringFirst : solveWithin)(part, result.positions, options, goal, progress);
 	// Of several panels the last may get there on the others' way.
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
 		outcome.ending = Ending::Reached;

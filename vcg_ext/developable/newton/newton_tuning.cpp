@@ -149,7 +149,7 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"closerPlaces", &NewtonTuning::closerPlaces},
 		{"closerStep", &NewtonTuning::closerStep},
 		{"closerTries", &NewtonTuning::closerTries},
-		{"closerWork", &NewtonTuning::closerWork},
+		{"closerWorkPerPlace", &NewtonTuning::closerWorkPerPlace},
 		{"closerGain", &NewtonTuning::closerGain},
 		{"wayFarthest", &NewtonTuning::wayFarthest},
 		{"wayMean", &NewtonTuning::wayMean},

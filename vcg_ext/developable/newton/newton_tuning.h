@@ -162,8 +162,8 @@ struct NewtonTuning {
 	double closerPlaces = 0.05; ///< share of the places that may have moved farther than they are to move
 	double closerStep = 0.866;  ///< of a bound: the next lower one
 	int closerTries = 3;
-	double closerWork = 8;   ///< times what came before: on each try
-	double closerGain = 0.9; ///< share of the largest displacement: bounds above it gain too little
+	double closerWorkPerPlace = 1500; ///< on each try, in units of WorkBudget
+	double closerGain = 0.9;          ///< share of the largest displacement: bounds above it gain too little
 
 	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200
 	// steps.
