@@ -11,12 +11,18 @@
 
 namespace developable::test {
 
-/// Two halves of a bump with a seam along the middle, mirror images of each other.
-inline PatchAssembly sewnPatches(int columns) {
-	const TriangleMesh left = jitteredGrid(columns, columns, saddle);
+/// Two mirror images with a seam between them, each so many times as high as the surface.
+inline PatchAssembly mirroredPatches(int columns, const Surface& surface, double height = 1) {
+	TriangleMesh left = jitteredGrid(columns, columns, surface);
+	left.positions.row(2) *= height;
 	TriangleMesh right = left;
-	right.positions.row(0) = 2 - right.positions.row(0).array();
+	right.positions.row(0) = 2 * left.positions.row(0).maxCoeff() - right.positions.row(0).array();
 	return assembled(together(left, right));
+}
+
+/// Two halves of a bump with a seam along the middle.
+inline PatchAssembly sewnPatches(int columns) {
+	return mirroredPatches(columns, saddle);
 }
 
 inline double smallestAngle(const PatchAssembly& assembly, const Positions& positions) {

@@ -8,16 +8,6 @@
 namespace developable::test {
 namespace {
 
-/// Two mirror images, sewn together.
-PatchAssembly mirrored(const Surface& surface, double height) {
-	const TriangleMesh left = jitteredGrid(25, 25, [&](double u, double v) {
-		return Eigen::Vector3d(Eigen::Vector3d(1, 1, height).cwiseProduct(surface(u, v)));
-	});
-	TriangleMesh right = left;
-	right.positions.row(0) = 2 * left.positions.row(0).maxCoeff() - right.positions.row(0).array();
-	return assembled(together(left, right));
-}
-
 Positions solved(const PatchAssembly& assembly, int tries) {
 	ConstrainedNewtonOptions options;
 	options.tuning.closerTries = tries;
@@ -28,7 +18,7 @@ Positions solved(const PatchAssembly& assembly, int tries) {
 
 TEST(CloserRuns, bringTheFarthestPlacesNearerAndOthersHardlyFarther) {
 	for (const auto& [surface, height] : {std::make_pair(Surface(saddle), 1.0), {Surface(wave), 1.5}}) {
-		const PatchAssembly assembly = mirrored(surface, height);
+		const PatchAssembly assembly = mirroredPatches(25, surface, height);
 		const Positions before = solved(assembly, 0), closer = solved(assembly, 3);
 		EXPECT_LT(farthestMove(assembly, closer), 0.8 * farthestMove(assembly, before));
 		EXPECT_LT(meanDisplacement(assembly, closer), 1.05 * meanDisplacement(assembly, before));
@@ -40,14 +30,14 @@ TEST(CloserRuns, bringTheFarthestPlacesNearerAndOthersHardlyFarther) {
 /// Where many places are far away there is nothing to be tried, nor with a single panel.
 TEST(CloserRuns, areSparedWhereTheyWouldHardlyLeadCloser) {
 	for (const PatchAssembly& assembly :
-		 {mirrored(largeSaddle, 1), assembled(jitteredGrid(25, 25, bumpedCylinder))})
+		 {mirroredPatches(25, largeSaddle), assembled(jitteredGrid(25, 25, bumpedCylinder))})
 		EXPECT_EQ(solved(assembly, 0), solved(assembly, 3));
-	const PatchAssembly near = mirrored(saddle, 0.1);
+	const PatchAssembly near = mirroredPatches(25, saddle, 0.1);
 	EXPECT_EQ(solved(near, 0), solved(near, 3));
 }
 
 TEST(CloserRuns, stopWhenTheyAreTold) {
-	const PatchAssembly assembly = mirrored(saddle, 1);
+	const PatchAssembly assembly = sewnPatches(25);
 	Positions positions = assembly.originalPositions;
 	bool begun = false;
 	const ConstrainedNewtonReport report =
@@ -59,35 +49,8 @@ TEST(CloserRuns, stopWhenTheyAreTold) {
 	EXPECT_EQ(report.status, Status::Stopped);
 }
 
-/// What a run without a bound does one with it can do as well.
-TEST(BoundOfSewnPanels, isKeptWhereItIsByDefault) {
-	for (const auto& [surface, height] : {std::make_pair(Surface(vamp), 1.0), {Surface(saddle), 2.0}}) {
-		const PatchAssembly assembly = mirrored(surface, height);
-		ConstrainedNewtonOptions options;
-		options.maxDisplacement = 0.02 * boxDiagonal(assembly.originalPositions);
-		ASSERT_LE(farthestMove(assembly, solved(assembly, 0)), options.maxDisplacement);
-		Positions positions = assembly.originalPositions;
-		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
-		EXPECT_LE(farthestMove(assembly, positions), options.maxDisplacement);
-		expectSound(assembly, positions);
-	}
-}
-
-TEST(BoundOfSewnPanels, isKeptWhenARunIsStopped) {
-	const PatchAssembly assembly = mirrored(largeSaddle, 1);
-	ConstrainedNewtonOptions options;
-	options.maxDisplacement = 0.002 * boxDiagonal(assembly.originalPositions);
-	for (const int calls : {3, 10, 20}) {
-		Positions positions = assembly.originalPositions;
-		int left = calls;
-		const auto stop = [&](double, const std::string&) { return --left > 0; };
-		EXPECT_EQ(constrainedNewton(assembly, positions, options, stop).status, Status::Stopped);
-		EXPECT_LE(farthestMove(assembly, positions), options.maxDisplacement);
-	}
-}
-
 TEST(CloserRuns, haveTheSameBoundsWhateverIsPreferred) {
-	const PatchAssembly assembly = mirrored(saddle, 1);
+	const PatchAssembly assembly = sewnPatches(25);
 	NewtonTuning tuning;
 	tuning.closerStep = 0.5;
 	const double first = tuning.preferredMove * boxDiagonal(assembly.originalPositions);

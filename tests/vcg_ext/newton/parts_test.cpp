@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/displacement_metric.h"
 #include "support/newton_checks.h"
 
 #include <thread>
@@ -115,6 +116,36 @@ TEST(ConstrainedNewtonParts, WithNothingFreeStayWhileOthersMove) {
 	EXPECT_EQ(patchStatuses(report), (std::vector<Status>{Status::Stalled, Status::Converged}));
 	EXPECT_EQ(report.status, Status::Stalled);
 	EXPECT_EQ(positions.leftCols(64), assembly.originalPositions.leftCols(64));
+}
+
+/// What a run without a bound does one with it can do as well.
+TEST(ConstrainedNewtonParts, OfSewnPanelsKeepToABoundThatTheyKeepToByDefault) {
+	for (const auto& [surface, height] : {std::make_pair(Surface(vamp), 1.0), {Surface(saddle), 2.0}}) {
+		const PatchAssembly assembly = mirroredPatches(25, surface, height);
+		ConstrainedNewtonOptions options;
+		options.maxDisplacement = 0.02 * boxDiagonal(assembly.originalPositions);
+		ConstrainedNewtonOptions byDefault;
+		byDefault.tuning.closerTries = 0;
+		Positions usual = assembly.originalPositions, positions = usual;
+		ASSERT_EQ(constrainedNewton(assembly, usual, byDefault).status, Status::Converged);
+		ASSERT_LE(farthestMove(assembly, usual), options.maxDisplacement);
+		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+		EXPECT_LE(farthestMove(assembly, positions), options.maxDisplacement);
+		expectSound(assembly, positions);
+	}
+}
+
+TEST(ConstrainedNewtonParts, OfSewnPanelsKeepToTheirBoundWhenTheyAreStopped) {
+	const PatchAssembly assembly = mirroredPatches(25, largeSaddle);
+	ConstrainedNewtonOptions options;
+	options.maxDisplacement = 0.002 * boxDiagonal(assembly.originalPositions);
+	for (const int calls : {3, 10, 20}) {
+		Positions positions = assembly.originalPositions;
+		int left = calls;
+		const auto stop = [&](double, const std::string&) { return --left > 0; };
+		EXPECT_EQ(constrainedNewton(assembly, positions, options, stop).status, Status::Stopped);
+		EXPECT_LE(farthestMove(assembly, positions), options.maxDisplacement);
+	}
 }
 
 } // namespace

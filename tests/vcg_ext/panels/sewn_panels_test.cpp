@@ -31,16 +31,15 @@ TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
 	EXPECT_GT(within.maxDisplacement, preferred / 2);
 }
 
+/// Over twice the unit square.
+Eigen::Vector3d mirroredSaddle(double u, double v) {
+	const double x = 2 * u;
+	return {x, v, saddle(1 - std::abs(x - 1), v)[2]};
+}
+
 /// Little room is no reason to cut where the method by itself comes as close.
 TEST(SewnPanels, holdWithinLessThanIsPreferredWhereTheMethodComesAsClose) {
-	const GivenPatches given = detail::separatePatches(jitteredGrid(49, 25,
-																	[](double u, double v) {
-																		const double x = 2 * u;
-																		const double z =
-																			saddle(1 - std::abs(x - 1), v)[2];
-																		return Eigen::Vector3d(x, v, z);
-																	}),
-													   {});
+	const GivenPatches given = detail::separatePatches(jitteredGrid(49, 25, mirroredSaddle), {});
 	const PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 2))};
 	const TriangleMesh cut = detail::meshAsCut(planned, given.vertexTaken);
 	const double preferred = ConstrainedNewtonOptions().tuning.preferredMove;

@@ -18,13 +18,18 @@ double leastOfFarthest(Eigen::VectorXd moves, double share) {
 	return moves(index);
 }
 
-/// The first of the bounds that goes on to one that is no good, length.
-/// \param isLast  says so of a bound
-template <class IsLast>
-double firstBound(const PatchAssembly& part, const NewtonTuning& tuning, const IsLast& isLast) {
+/// The largest, length.
+double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning) {
+	return tuning.preferredMove * boxDiagonal(part.originalPositions);
+}
+
+/// The first of the bounds, from the largest, that is good, length.
+/// \param isGood  says so of a bound
+template <class IsGood>
+double firstBound(const PatchAssembly& part, const NewtonTuning& tuning, const IsGood& isGood) {
 	constexpr int most = 100; // next to nothing is left then
-	double bound = tuning.preferredMove * boxDiagonal(part.originalPositions);
-	for (int step = 0; step < most && !isLast(bound); ++step)
+	double bound = preferredBound(part, tuning);
+	for (int step = 0; step < most && !isGood(bound); ++step)
 		bound *= tuning.closerStep;
 	return bound;
 }
@@ -51,7 +56,7 @@ void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrateg
 	Eigen::VectorXd moves = displacementMap(part.originalPositions, outcome.positions);
 	const double few = leastOfFarthest(moves, tuning.closerPlaces);
 	double bound = firstBound(part, tuning, [&](double next) { return tuning.closerStep * next < few; });
-	const double nearEnough = tuning.closerFrom * tuning.preferredMove * boxDiagonal(part.originalPositions);
+	const double nearEnough = tuning.closerFrom * preferredBound(part, tuning);
 	if (moves.maxCoeff() <= nearEnough || bound > tuning.closerGain * moves.maxCoeff())
 		return;
 	const double work = tuning.closerWorkPerPlace * part.placeCount();
@@ -60,7 +65,8 @@ void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrateg
 	for (int tries = 0; tries < tuning.closerTries && bound < moves.maxCoeff(); ++tries) {
 		strategy.setBudget(std::make_shared<WorkBudget>(work, work));
 		strategy.prefer(bound);
-		NewtonOutcome closer = strategy.solve(part, start, progress);
+		const double begin = double(tries) / tuning.closerTries, end = double(tries + 1) / tuning.closerTries;
+		NewtonOutcome closer = strategy.solve(part, start, partOf(progress, begin, end));
 		closer.iterations += outcome.iterations;
 		outcome.iterations = closer.iterations;
 		if (closer.ending == Ending::Stopped) {

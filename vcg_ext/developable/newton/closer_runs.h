@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// closer_runs.h: panels that are sewn together, within less than the preferred displacement where that is
-// easy.
+// closer_runs.h: sewn panels within less than the preferred displacement, where that is easy.
 #pragma once
 
 #include "newton_strategy.h"
 
 namespace developable::detail {
 
-/// Bounds on displacements that are tried are the preferred one and, each by NewtonTuning::closerStep less
-/// than the one before, all below it: they are the same whatever else a run is asked for. \return the largest
-/// that is within NewtonTuning::preferredLength, length
+/// Bounds on displacements that are tried are the preferred one and, each NewtonTuning::closerStep of the one
+/// before, all below it: they are the same whatever else a run is asked for.
+/// \return the largest that is within NewtonTuning::preferredLength, length
 double boundWithin(const PatchAssembly& part, const NewtonTuning& tuning);
 
 /// Whether a part has panels that are sewn together, and is small enough to be solved more than once.
