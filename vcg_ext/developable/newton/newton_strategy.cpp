@@ -19,16 +19,10 @@ namespace {
 
 constexpr double growth = 1.2; ///< time goes with this power of the number of places
 
-/// So few, or hardly more, are solved directly: a coarser level would not be worth its while.
-/// \param coarsest  that a level may have, tuning.coarsest at most
-bool isCoarsest(int places, int coarsest, const NewtonTuning& tuning) {
-	return places <= coarsest || tuning.leastReduction * places <= tuning.coarsest;
-}
-
 /// How many a coarser level is to have.
 int coarserPlaces(int places, int coarsest, const NewtonTuning& tuning) {
 	const int coarser = static_cast<int>(places / tuning.levelRatio);
-	return isCoarsest(coarser, coarsest, tuning) ? coarsest : coarser;
+	return tuning.isCoarsest(coarser, coarsest) ? coarsest : coarser;
 }
 
 /// What a part of so many places takes on all its levels, as far as one can tell before; in units of
@@ -38,7 +32,7 @@ struct ExpectedWork {
 
 	ExpectedWork(int places, int coarsest, const NewtonTuning& tuning) {
 		constexpr double ofCoarsest = 900, ofFiner = 100, ofCoarsening = 20; // a place
-		const bool isLast = isCoarsest(places, coarsest, tuning);
+		const bool isLast = tuning.isCoarsest(places, coarsest);
 		onFinest = (isLast ? ofCoarsest : ofFiner) * places;
 		if (isLast)
 			return;
@@ -176,7 +170,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const int places = assembly.placeCount();
 	const int together = std::min(tuning_.coarsestTogether, tuning_.coarsest);
 	const int coarsest = assembly.patchCount() > 1 ? together : tuning_.coarsest;
-	if (isCoarsest(places, coarsest, tuning_))
+	if (tuning_.isCoarsest(places, coarsest))
 		return solveCoarsest(level, start, progress);
 	const PartialAssembly coarse =
 		Coarsening(assembly, tuning_).coarsen(coarserPlaces(places, coarsest, tuning_));

@@ -175,11 +175,6 @@ double excess(const CutPanel& panel) {
 	return std::max(least, panel.maxDisplacement * (1 + panel.curvatureAfter));
 }
 
-/// Whether the method would begin on a coarser level than the surface.
-bool hasCoarseLevel(const PatchAssembly& assembly, const NewtonTuning& tuning) {
-	return tuning.leastReduction * assembly.placeCount() > tuning.coarsest;
-}
-
 /// On the level that the method begins on: finer ones follow it, and take most of the time. Patterns are
 /// laid flat as fine as they are: whether borders cross is a matter of fractions of an edge.
 void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
@@ -305,7 +300,8 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 		options.tuning.closerTries = 0;
 	}
 	result.provisional = brief;
-	result.coarse = brief && hasCoarseLevel(assembly, options.tuning);
+	result.coarse =
+		brief && !options.tuning.isCoarsest(assembly.placeCount(), options.tuning.coarsestTogether);
 	if (result.coarse)
 		developCoarsely(assembly, surface, options, limits, result, progress);
 	else
