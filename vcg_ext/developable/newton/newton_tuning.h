@@ -187,22 +187,23 @@ struct NewtonTuning {
 	double workBeforeNext = 300; ///< a place, until another thread begins it; most careful ones end before
 
 	// Levels.
-	int coarsest = 1500;         ///< places; so few are solved directly
-	int coarsestTogether = 1000; ///< on the coarsest level of more panels that are sewn together
-	double levelRatio = 4;       ///< between the numbers of places of two levels
-	double coarseRoom = 0.95;    ///< share of the bound on displacements that a coarser level has
-	double leastReduction = 0.7; ///< share of the places: else a level is not worth its while
-	/// So few places, or hardly more, are solved directly: a coarser level would not be worth its while.
-	/// \param most  that the coarsest level may have, `coarsest` or less
-	bool isCoarsest(int places, int most) const {
-		return places <= most || leastReduction * places <= coarsest;
-	}
+	int coarsest = 1500;              ///< places; so few are solved directly
+	int coarsestTogether = 1000;      ///< on the coarsest level of more panels that are sewn together
+	double levelRatio = 4;            ///< between the numbers of places of two levels
+	double coarseRoom = 0.95;         ///< share of the bound on displacements that a coarser level has
+	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while
 	double prolongationBending = 0.3; ///< β in units of (A/n)²: waves below five coarse edges are left out
 	double prolongationMass = 1e-6;   ///< share of its mass that a place has which the coarse level has not
 	double curveCorner = 0.9;         ///< cosine of the turn at which a border has a corner that stays
 	double coarseTurn = 0.5;          ///< cosine of the angle that a triangle may turn by
 	double coarseCotangent = 4;       ///< the greatest of a new triangle's angles
 	int coarseFan = 9; ///< triangles round a place that goes: more leave a fan that is no better
+
+	/// So few places, or hardly more, are solved directly: a coarser level would not be worth its while.
+	/// \param most  that the coarsest level may have, `coarsest` or less
+	bool isCoarsest(int places, int most) const {
+		return places <= most || leastReduction * places <= coarsest;
+	}
 };
 
 /// A constant by its name.
