@@ -13,10 +13,14 @@ namespace {
 using detail::PanelLimits;
 using detail::PanelVerdict;
 
-PanelVerdict verdictOn(const TriangleMesh& mesh, double maxDisplacement) {
+PanelLimits within(double maxDisplacement) {
 	PanelLimits limits;
 	limits.maxDisplacement = limits.meanDisplacement = maxDisplacement;
-	return testPanel(mesh, limits);
+	return limits;
+}
+
+PanelVerdict verdictOn(const TriangleMesh& mesh, double maxDisplacement) {
+	return testPanel(mesh, within(maxDisplacement));
 }
 
 TEST(PanelTest, ofManyPlacesSaysTheSameAsOfFew) {
@@ -70,6 +74,44 @@ TEST(PanelTest, isNotHardOnNotchesOfTheBorder) {
 		EXPECT_EQ(verdict.isPanel(), edges == 2);
 		EXPECT_EQ(verdict.obstacle, edges == 2 ? detail::Obstacle::None : detail::Obstacle::Overlaps);
 	}
+}
+
+using detail::Obstacle;
+
+/// What the quick look leaves to the test has the test's verdict.
+TEST(PanelTest, ofWhatIsPromisingIsTheSame) {
+	const TriangleMesh cap = grid(25, 25, sphereCap(0.6));
+	const double needed = verdictOn(cap, 100).maxDisplacement;
+	for (const double share : {0.4, 1.5}) {
+		const PanelVerdict verdict = testIfPromising(cap, within(share * needed));
+		EXPECT_EQ(verdict.obstacle, share > 1 ? Obstacle::None : Obstacle::TooFar);
+		EXPECT_EQ(verdict.maxDisplacement, verdictOn(cap, share * needed).maxDisplacement);
+	}
+}
+
+TEST(PanelTest, strainedFarMoreThanTheMoveMakesUpForIsUnpromising) {
+	const TriangleMesh cap = grid(25, 25, sphereCap(1));
+	const double needed = verdictOn(cap, 100).maxDisplacement;
+	EXPECT_EQ(testIfPromising(cap, within(needed / 10)).obstacle, Obstacle::Unpromising);
+	EXPECT_EQ(verdictOn(cap, needed / 10).obstacle, Obstacle::TooFar);
+	EXPECT_FALSE(testIfPromising(cap, within(needed / 10)).isPanel());
+}
+
+/// More than a whole turn round an axis, hardly rising: nearly a flat ring, whose ends lie upon each other.
+TEST(PanelTest, overlappingByMuchIsUnpromising) {
+	const auto turns = [](double angle) {
+		return grid(9, 61, [=](double u, double v) {
+			return Eigen::Vector3d((1 + u) * std::cos(angle * v), (1 + u) * std::sin(angle * v), 0.2 * v);
+		});
+	};
+	EXPECT_EQ(testIfPromising(turns(7.5), within(0.2)).obstacle, Obstacle::Unpromising);
+	EXPECT_EQ(verdictOn(turns(7.5), 0.2).obstacle, Obstacle::Overlaps);
+	EXPECT_TRUE(testIfPromising(turns(5.5), within(0.2)).isPanel());
+}
+
+/// Which would take as long to look at as to test.
+TEST(PanelTest, ofFewPlacesIsNeverUnpromising) {
+	EXPECT_EQ(testIfPromising(grid(9, 9, sphereCap(1)), within(1e-3)).obstacle, Obstacle::TooFar);
 }
 
 } // namespace

@@ -89,6 +89,23 @@ TEST(PanelTests, aheadGiveTheSameAndCountWhenTheyAreAskedFor) {
 	}
 }
 
+/// An unpromising trial is no verdict on the panel; any other is.
+TEST(PanelTests, ofPromisingTrialsTellWhatTheyHaveFound) {
+	const TriangleMesh mesh = grid(25, 25, sphereCap(1));
+	const CutSurface surface = withPanels(mesh, strips(mesh, 1));
+	const PanelTrial thorough = trialOf(surface, surface.trianglesOf(0));
+	PanelTrial quick = thorough;
+	quick.onlyIfPromising = true;
+	for (const double limit : {1e-3, 0.5}) {
+		PanelTests tests({limit}, {}, {});
+		const PanelVerdict verdict = tests.test({quick}).front();
+		EXPECT_EQ(verdict.obstacle == detail::Obstacle::Unpromising, limit < 0.1);
+		EXPECT_TRUE(tests.knowsSoon(quick));
+		EXPECT_EQ(tests.knowsSoon(thorough), limit > 0.1);
+		EXPECT_EQ(tests.test({thorough}).front().isPanel(), limit > 0.1);
+	}
+}
+
 TEST(PanelTests, knowWhichThreadsIdle) {
 	const std::vector<PanelTrial> trials = trialsOfCap();
 	PanelTests tests({0.05}, {}, {});

@@ -52,6 +52,12 @@ private:
 		return firstApart(left_, batchSize);
 	}
 
+	PanelTrial trialAt(const SeamChain& chain) {
+		PanelTrial trial = trialAcross(surface_, chain.halfEdges);
+		trial.onlyIfPromising = true;
+		return trial;
+	}
+
 	/// Most unions are no panels: then the next longest seams are tried.
 	void testAhead(const std::vector<SeamChain>& batch, const std::vector<PanelTrial>& trials) {
 		const auto isInBatch = [&](const SeamChain& chain) {
@@ -65,7 +71,7 @@ private:
 			for (; chain != left_.end() && next.size() < aheadAtOnce; ++chain) {
 				if (isInBatch(*chain))
 					continue;
-				PanelTrial trial = trialAcross(surface_, chain->halfEdges);
+				PanelTrial trial = trialAt(*chain);
 				if (!tests_.knowsSoon(trial))
 					next.push_back(std::move(trial));
 			}
@@ -79,7 +85,7 @@ private:
 		std::vector<PanelTrial> trials;
 		trials.reserve(batch.size());
 		for (const SeamChain& chain : batch)
-			trials.push_back(trialAcross(surface_, chain.halfEdges));
+			trials.push_back(trialAt(chain));
 		testAhead(batch, trials);
 		const std::vector<PanelVerdict> verdicts = tests_.test(trials);
 		for (std::size_t i = 0; i < batch.size() && !tests_.stopped(); ++i)

@@ -30,7 +30,7 @@ private:
 	int failures_ = 0;
 };
 
-/// Joins panels across whole seams, greedily: those whose union is a panel by itself.
+/// Joins panels across whole seams, greedily: those whose union is a panel by itself, and promising.
 /// \param mayGo  which seams are tried; all when it is empty
 void joinPanels(CutSurface& surface, PanelTests& tests, JoinHistory& history,
 				const std::function<bool(const SeamChain&)>& mayGo = {});

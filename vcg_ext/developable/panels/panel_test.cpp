@@ -8,6 +8,8 @@
 #include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
 
+#include <cmath>
+
 namespace developable::detail {
 
 namespace {
@@ -93,21 +95,38 @@ void testOnLevel(const PatchAssembly& assembly, const PanelLimits& limits, const
 }
 
 /// How far a shape has to move shows with few places.
-void testUnstrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
-					PanelVerdict& verdict) {
+PatchAssembly coarseEnough(PatchAssembly assembly) {
 	constexpr int enough = 400;
 	constexpr double worthWhile = 1.3; // times as many
 	if (assembly.placeCount() > worthWhile * enough)
-		testOnLevel(coarserLevel(assembly, enough).assembly, limits, progress, verdict);
-	else
-		testOnLevel(assembly, limits, progress, verdict);
+		return coarserLevel(assembly, enough).assembly;
+	return assembly;
 }
 
-void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
-				  PanelVerdict& verdict) {
+/// A dome of height h over a width w strains its layout by about (h/w)², and has to move by a share of h.
+/// On 2356 unions of panels of ten shapes: of those that hold, 98 % overlap less and 98 % are less strained.
+bool isPromising(const PatchAssembly& coarse, const PanelLimits& limits) {
+	constexpr int fewPlaces = 100;          // are tested as soon
+	constexpr double greatestOverlap = 0.1; // share of the border
+	constexpr double greatestHeight = 8.3;  // share of how far places may move
+	if (coarse.placeCount() < fewPlaces)
+		return true;
+	FlattenOptions first;
+	first.iterations = 1;
+	first.threads = 1;
+	const FlatPatterns patterns = flattenPatches(coarse, coarse.originalPositions, first);
+	const FlatPiece& piece = patterns.pieces.front();
+	if (!overlapsLittle(patterns, greatestOverlap))
+		return false;
+	const double height = std::sqrt(piece.meanEdgeStrain) * boxDiagonal(coarse.originalPositions);
+	return limits.material.bounds.any() || height <= greatestHeight * limits.maxDisplacement;
+}
+
+void testStrained(const PatchAssembly& assembly, const PatchAssembly& coarse, const PanelLimits& limits,
+				  const Progress& progress, PanelVerdict& verdict) {
 	const Outlook outlook = outlookOf(assembly, limits.material, limits.maxDisplacement);
 	if (outlook == Outlook::MostlyMoves)
-		testUnstrained(assembly, limits, progress, verdict); // which is quicker
+		testOnLevel(coarse, limits, progress, verdict); // which is quicker
 	if (verdict.flat)
 		return;
 	verdict.obstacle = Obstacle::BeyondBounds;
@@ -122,13 +141,8 @@ void testStrained(const PatchAssembly& assembly, const PanelLimits& limits, cons
 		verdict.obstacle = Obstacle::None;
 }
 
-} // namespace
-
-bool isDisk(const TriangleMesh& mesh) {
-	return isDisk(assemblePatches(mesh, {}));
-}
-
-PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, const Progress& progress) {
+PanelVerdict test(const TriangleMesh& mesh, const PanelLimits& limits, bool onlyIfPromising,
+				  const Progress& progress) {
 	PanelVerdict verdict;
 	const PatchAssembly assembly = assemblePatches(mesh, {});
 	if (!isSheet(assembly)) {
@@ -137,15 +151,32 @@ PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, cons
 	}
 	verdict.disk = isDisk(assembly);
 	try {
-		if (limits.material.bounds.any())
-			testStrained(assembly, limits, progress, verdict);
+		const PatchAssembly coarse = coarseEnough(assembly);
+		if (onlyIfPromising && verdict.disk && !isPromising(coarse, limits))
+			verdict.obstacle = Obstacle::Unpromising;
+		else if (limits.material.bounds.any())
+			testStrained(assembly, coarse, limits, progress, verdict);
 		else
-			testUnstrained(assembly, limits, progress, verdict);
+			testOnLevel(coarse, limits, progress, verdict);
 	} catch (const PatchWithHandles&) {
 		verdict.flat = false;
 		verdict.obstacle = Obstacle::NoSheet;
 	}
 	return verdict;
+}
+
+} // namespace
+
+bool isDisk(const TriangleMesh& mesh) {
+	return isDisk(assemblePatches(mesh, {}));
+}
+
+PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, const Progress& progress) {
+	return test(mesh, limits, false, progress);
+}
+
+PanelVerdict testIfPromising(const TriangleMesh& mesh, const PanelLimits& limits, const Progress& progress) {
+	return test(mesh, limits, true, progress);
 }
 
 } // namespace developable::detail

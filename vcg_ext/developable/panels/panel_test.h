@@ -20,7 +20,14 @@ struct PanelLimits {
 };
 
 /// Why triangles are no panel.
-enum class Obstacle { None, NoSheet, TooFar, Overlaps, BeyondBounds };
+enum class Obstacle {
+	None,
+	NoSheet,
+	TooFar,
+	Overlaps,
+	BeyondBounds,
+	Unpromising ///< it was not looked into
+};
 
 struct PanelVerdict {
 	bool flat =
@@ -37,6 +44,12 @@ struct PanelVerdict {
 
 /// \param mesh  a panel; vertices doubled along its slits and darts coincide
 PanelVerdict testPanel(const TriangleMesh& mesh, const PanelLimits& limits, const Progress& progress = {});
+
+/// The same, unless it is unpromising: when it is laid flat as it is, at a small part of the price, it
+/// overlaps itself by much, or is strained more than such a move usually makes up for. Hardly any of those
+/// are panels.
+PanelVerdict testIfPromising(const TriangleMesh& mesh, const PanelLimits& limits,
+							 const Progress& progress = {});
 
 /// Whether triangles are one disk.
 bool isDisk(const TriangleMesh& mesh);

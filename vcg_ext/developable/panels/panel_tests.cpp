@@ -33,23 +33,33 @@ PanelLimits PanelTests::limitsOf(int patch) const {
 }
 
 void PanelTests::scaleLimits(double factor) {
-	if (factor != scale_)
+	if (factor != scale_) {
 		verdicts_.forget();
+		ofPromising_.forget();
+	}
 	scale_ = factor;
 }
 
+std::optional<PanelVerdict> PanelTests::found(const PanelTrial& trial, const Progress& progress) const {
+	bool stopped = false;
+	PanelVerdict verdict = (trial.onlyIfPromising ? testIfPromising : testPanel)(
+		trial.panel, limitsOf(trial.patch), [&](double done, const std::string& message) {
+			stopped = stopped || !developable::mayGoOn(progress, done, message);
+			return !stopped;
+		});
+	if (stopped)
+		return {};
+	return verdict;
+}
+
 std::optional<PanelVerdict> PanelTests::verdictOn(const PanelTrial& trial, const Progress& progress) {
-	return verdicts_.on(trial.panel, progress, [&]() -> std::optional<PanelVerdict> {
-		bool stopped = false;
-		const PanelVerdict verdict =
-			testPanel(trial.panel, limitsOf(trial.patch), [&](double done, const std::string& message) {
-				stopped = stopped || !developable::mayGoOn(progress, done, message);
-				return !stopped;
-			});
-		if (stopped)
-			return {};
-		return verdict;
-	});
+	if (!trial.onlyIfPromising)
+		return verdicts_.on(trial.panel, progress, [&] { return found(trial, progress); });
+	std::optional<PanelVerdict> verdict =
+		ofPromising_.on(trial.panel, progress, [&] { return found(trial, progress); });
+	if (verdict && verdict->obstacle != Obstacle::Unpromising)
+		verdicts_.on(trial.panel, progress, [&] { return verdict; });
+	return verdict;
 }
 
 std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {
@@ -57,7 +67,7 @@ std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials
 	std::vector<Task> tasks;
 	tasks.reserve(trials.size());
 	for (std::size_t i = 0; i < trials.size(); ++i) {
-		if (verdicts_.want(trials[i].panel))
+		if ((trials[i].onlyIfPromising ? ofPromising_ : verdicts_).want(trials[i].panel))
 			work_ += trials[i].panel.triangleCount();
 		tasks.push_back({1, [&, i](const Progress& progress) {
 							 if (!stopped_)

@@ -24,6 +24,7 @@ Reason reasonOf(const PanelVerdict& verdict, bool still) {
 	case Obstacle::BeyondBounds:
 		return Reason::SeamBeyondBounds;
 	case Obstacle::None:
+	case Obstacle::Unpromising: // of tests that are not these
 		break;
 	}
 	if (!verdict.disk)
