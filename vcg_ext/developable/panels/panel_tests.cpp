@@ -33,10 +33,9 @@ PanelLimits PanelTests::limitsOf(int patch) const {
 }
 
 void PanelTests::scaleLimits(double factor) {
-	if (factor != scale_) {
-		verdicts_.forget();
-		ofPromising_.forget();
-	}
+	if (factor != scale_)
+		for (PanelVerdicts& verdicts : verdicts_)
+			verdicts.forget();
 	scale_ = factor;
 }
 
@@ -53,12 +52,10 @@ std::optional<PanelVerdict> PanelTests::found(const PanelTrial& trial, const Pro
 }
 
 std::optional<PanelVerdict> PanelTests::verdictOn(const PanelTrial& trial, const Progress& progress) {
-	if (!trial.onlyIfPromising)
-		return verdicts_.on(trial.panel, progress, [&] { return found(trial, progress); });
 	std::optional<PanelVerdict> verdict =
-		ofPromising_.on(trial.panel, progress, [&] { return found(trial, progress); });
-	if (verdict && verdict->obstacle != Obstacle::Unpromising)
-		verdicts_.on(trial.panel, progress, [&] { return verdict; });
+		verdicts_[trial.onlyIfPromising].on(trial.panel, progress, [&] { return found(trial, progress); });
+	if (trial.onlyIfPromising && verdict && verdict->obstacle != Obstacle::Unpromising)
+		verdicts_[false].on(trial.panel, progress, [&] { return verdict; });
 	return verdict;
 }
 
@@ -67,7 +64,7 @@ std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials
 	std::vector<Task> tasks;
 	tasks.reserve(trials.size());
 	for (std::size_t i = 0; i < trials.size(); ++i) {
-		if ((trials[i].onlyIfPromising ? ofPromising_ : verdicts_).want(trials[i].panel))
+		if (verdicts_[trials[i].onlyIfPromising].want(trials[i].panel))
 			work_ += trials[i].panel.triangleCount();
 		tasks.push_back({1, [&, i](const Progress& progress) {
 							 if (!stopped_)

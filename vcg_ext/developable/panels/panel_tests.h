@@ -8,6 +8,7 @@
 #include "developable/mesh/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <memory>
 
@@ -58,7 +59,9 @@ public:
 	/// same, and known sooner. They count as work when they are asked for.
 	std::unique_ptr<TaskAhead> testAhead(std::function<void(PanelTester&)> job);
 	/// Whether a verdict is known, or some thread is about to know it.
-	bool knowsSoon(const PanelTrial& trial) const { return verdictsFor(trial).has(trial.panel); }
+	bool knowsSoon(const PanelTrial& trial) const {
+		return verdicts_[trial.onlyIfPromising].has(trial.panel);
+	}
 
 	/// Says how far the work is. \return false when the user asked for a stop, now or before
 	bool mayGoOn(double fractionDone, const std::string& message);
@@ -74,9 +77,6 @@ private:
 	static constexpr double smallWork = 3e5; // triangles, which take seconds
 	class Ahead;
 
-	const PanelVerdicts& verdictsFor(const PanelTrial& trial) const {
-		return trial.onlyIfPromising ? ofPromising_ : verdicts_;
-	}
 	/// \return nothing where it was asked to stop
 	std::optional<PanelVerdict> verdictOn(const PanelTrial& trial, const Progress& progress);
 	std::optional<PanelVerdict> found(const PanelTrial& trial, const Progress& progress) const;
@@ -86,8 +86,8 @@ private:
 	const Progress progress_;
 	double scale_ = 1, notch_ = PanelLimits().notch;
 	double work_ = 0;
-	PanelVerdicts verdicts_, ofPromising_; // those of trials that were to be tested only if promising
-	std::atomic<int> jobsAhead_{0};        // that have not ended
+	std::array<PanelVerdicts, 2> verdicts_; // of trials by whether they are tested only if promising
+	std::atomic<int> jobsAhead_{0};         // that have not ended
 	std::atomic<bool> stopped_{false};
 	double fractionDone_ = 0;
 	std::string message_;
