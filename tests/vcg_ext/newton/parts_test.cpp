@@ -57,10 +57,13 @@ TEST(ConstrainedNewtonParts, HaveTheSameBitsAloneAndInAnyCompanyOnAnyNumberOfThr
 	const std::vector<TriangleMesh> meshes = strangers();
 	std::vector<Positions> alone;
 	std::vector<Status> statuses;
+	double work = 0;
 	for (const TriangleMesh& mesh : meshes) {
 		ConstrainedNewtonReport report;
 		alone.push_back(developed(mesh, 1, report));
 		statuses.push_back(report.status);
+		work += report.work;
+		EXPECT_EQ(report.work > 0, report.status != Status::NothingToDo);
 	}
 	EXPECT_EQ(statuses, (std::vector<Status>{Status::Converged, Status::NeedsCut, Status::NothingToDo,
 											 Status::Converged, Status::Converged}));
@@ -70,6 +73,7 @@ TEST(ConstrainedNewtonParts, HaveTheSameBitsAloneAndInAnyCompanyOnAnyNumberOfThr
 			const Positions vertices = developed(inOrder(meshes, order), threads, report);
 			EXPECT_EQ(report.status, Status::NeedsCut);
 			EXPECT_EQ(report.patchesNeedingCut, 1);
+			EXPECT_DOUBLE_EQ(report.work, work);
 			Eigen::Index first = 0;
 			for (const int i : order) {
 				EXPECT_EQ(vertices.middleCols(first, alone[i].cols()), alone[i]);

@@ -71,7 +71,7 @@ TEST(SewnPanels, areSeenOnACoarseLevelOfALargeSurfaceIfBriefly) {
 	EXPECT_FALSE(sewn(30, true).coarse);
 	const SewnPanels coarse = sewn(48, true), whole = sewn(48, false);
 	EXPECT_TRUE(coarse.coarse);
-	EXPECT_LT(coarse.cost(), whole.cost());
+	EXPECT_LT(coarse.work, whole.work);
 	EXPECT_FALSE(whole.coarse);
 	EXPECT_EQ(detail::worstOf(coarse), -1);
 	EXPECT_EQ(detail::worstOf(whole), -1);

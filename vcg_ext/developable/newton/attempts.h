@@ -15,6 +15,7 @@ struct NewtonOutcome {
 	double nearestDevelopable = 0;
 	bool bordersLimited = false; ///< found while borders might not kink
 	Positions free = {};         ///< what the free attempt came to, where there was one
+	double work = 0;             ///< of all runs on a part, in units of WorkBudget; set where these are done
 };
 
 /// Up to two attempts from the same start: a careful one, which keeps borders from kinking, and a free one,

@@ -69,6 +69,7 @@ void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrateg
 		NewtonOutcome closer = strategy.solve(part, start, partOf(progress, begin, end));
 		closer.iterations += outcome.iterations;
 		outcome.iterations = closer.iterations;
+		closer.work = outcome.work += strategy.budget().used();
 		if (closer.ending == Ending::Stopped) {
 			outcome.ending = Ending::Stopped;
 			return;

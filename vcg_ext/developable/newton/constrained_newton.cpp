@@ -162,8 +162,10 @@ ConstrainedNewtonReport constrainedNewton(const PatchAssembly& assembly, Positio
 	const PartOutcome& worst = worstOf(outcomes);
 	ConstrainedNewtonReport report;
 	report.status = worst.status;
-	for (const PartOutcome& outcome : outcomes)
+	for (const PartOutcome& outcome : outcomes) {
 		report.iterations += outcome.iterations;
+		report.work += outcome.work;
+	}
 	if (report.status == Status::Stopped)
 		return report;
 	// The places move last, when no memory can be missing any more.

@@ -27,6 +27,7 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	const double extra = part.patchCount() > 1 ? work : tuning.preferredWorkPerPlace * part.placeCount();
 	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work, extra));
 	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, share));
+	outcome.work = strategy.budget().used();
 	if (outcome.ending == Ending::Stopped)
 		return outcome;
 	if (outcome.ending == Ending::OutOfSteps && strategy.budget().spent())
@@ -37,7 +38,9 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 		return outcome;
 	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work, extra));
 	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
-	return FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(outcome);
+	outcome = FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(std::move(outcome));
+	outcome.work += strategy.budget().used();
+	return outcome;
 }
 
 /// Within the goal's bound, and where that is far enough away within less if that is easy.
@@ -70,7 +73,10 @@ NewtonOutcome solvePreferringFirst(const PatchAssembly& part, const Positions& s
 		outcome.positions = start;
 	if (outcome.ending == Ending::Stopped || (outcome.ending == Ending::Reached && kept))
 		return outcome;
-	return solveWithin(part, start, options, goal, partOf(progress, shareOfPreferring, 1));
+	const double workBefore = outcome.work;
+	outcome = solveWithin(part, start, options, goal, partOf(progress, shareOfPreferring, 1));
+	outcome.work += workBefore;
+	return outcome;
 }
 
 /// Without held places nothing else than the shape itself can stand in the way.
@@ -119,7 +125,7 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
 		outcome.ending = Ending::Reached;
 	return {statusOf(outcome.ending, part), outcome.ending, outcome.iterations, std::move(outcome.positions),
-			outcome.nearestDevelopable};
+			outcome.nearestDevelopable,     outcome.work};
 }
 
 } // namespace developable::detail

@@ -14,6 +14,7 @@ struct PartOutcome {
 	int iterations = 0;
 	Positions positions;
 	double nearestDevelopable = 0; ///< see OptimizationReport
+	double work = 0;               ///< in units of WorkBudget
 };
 
 /// All patches of a part together; then, where that is stuck, those that need no cut without the others.

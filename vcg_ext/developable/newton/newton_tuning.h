@@ -135,10 +135,10 @@ struct NewtonTuning {
 	double returnAim = 0.9;          ///< share of the bound: aimed at; places beyond it are at the bound
 	double returnWeight = 200;       ///< of the place that was farthest so far, beside its mass
 	double heavyPlace = 1000;        ///< of its mass, at the bound on a finer level
-	double boundWeight = 1e4;        ///< of a place at a bound in a restoration within it, beside its mass
+	double boundWeight = 300;        ///< of a place at a bound in a restoration within it, beside its mass
 	double boundSharpness = 32; ///< power of the displacement's share of the bound that a place is heavier by
 	double boundAim = 0.97;     ///< share of the bound: where places beyond it are pulled back to
-	int boundRounds = 5;        ///< of pulling back and restoring
+	int boundRounds = 10;       ///< of pulling back and restoring
 	double returnReach = 3;     ///< of the bound: shapes farther away are given up
 	double preferredMove = 0.02; ///< share of the diagonal: less far is a bound that is kept if that is easy
 	double preferredLength = 1e300; ///< length: the same, where that is less

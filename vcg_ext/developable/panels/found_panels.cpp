@@ -17,7 +17,8 @@ namespace developable::detail {
 
 namespace {
 
-constexpr double littleWork = 3e5; ///< triangles, which take seconds
+constexpr double littleWork = 6e6; ///< see WorkBudget: some seconds
+constexpr double muchWork = 5e7;   ///< see WorkBudget: a minute or two
 constexpr int mostSearches = 2;    ///< of those that take longer
 
 bool isBetter(const FoundPanels& a, const FoundPanels& b) {
@@ -167,6 +168,7 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 			found = foundBy(plan, hold);
 		work += plan.work();
 		if (i + 1 == starts.size() || seamChains(found->planned.front().surface).empty() ||
+			(found->hold && work > muchWork) ||
 			(work > littleWork && (i + 1 == mostSearches || !mayBeBetter(starts[i + 1]->surface(), *found))))
 			break;
 	}

@@ -35,7 +35,7 @@ private:
 		std::stable_sort(panels.begin(), panels.end(),
 						 [&](int a, int b) { return surface_.area(a) < surface_.area(b); });
 		for (const int panel : panels) {
-			if (tests_.stopped() || tests_.work() > mostWork_)
+			if (tests_.stopped() || !mayGoOn())
 				return false;
 			if (known_.insert(surface_.trianglesOf(panel)).second && dissolve(panel))
 				return true;
@@ -43,15 +43,17 @@ private:
 		return false;
 	}
 
+	bool mayGoOn() const { return tests_.work() < mostWork_; }
+
 	bool dissolve(int panel) {
 		if (clustersOf(panel).size() < 2)
 			return false;
 		CutSurface before = surface_; // with the numbers of its panels
 		const std::set<int> pieces = fallApart(panel);
 		joinPanels(surface_, tests_, history_, [&](const SeamChain& chain) {
-			return pieces.count(chain.panels[0]) != pieces.count(chain.panels[1]);
+			return mayGoOn() && pieces.count(chain.panels[0]) != pieces.count(chain.panels[1]);
 		});
-		joinPanels(surface_, tests_, history_);
+		joinPanels(surface_, tests_, history_, [&](const SeamChain&) { return mayGoOn(); });
 		const int count = surface_.usedPanelCount(), countBefore = before.usedPanelCount();
 		if (count < countBefore ||
 			(count == countBefore && seamLength(surface_) < shorter * seamLength(before)))

@@ -43,6 +43,8 @@ struct BoundedSearch {
 	bool brief = false; ///< whether to give up early
 };
 
+constexpr double workOnStrain = 300; ///< of bringWithinBounds on a triangle, in units of WorkBudget
+
 /// Moves places to the nearest shape whose patterns are within the bounds, as Global Developability will.
 /// \return  one for each patch, laid flat within the bounds
 std::vector<PatternVerdict> bringWithinBounds(const PatchAssembly& assembly, Positions& positions,

@@ -32,9 +32,7 @@ PanelPlan::PanelPlan(const GivenPatches& given, const std::vector<double>& limit
 }
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
-	SewnPanels sewn = sewing_->sew(planned_, brief);
-	sewing_->triesLeft -= sewn.cost();
-	return sewn;
+	return sewing_->sew(planned_, brief);
 }
 
 /// What holds briefly may not as the user will have it: then overlaps are closed, and darts cut, where it
@@ -56,7 +54,7 @@ SewnExcess PanelPlan::sewnExcess() {
 
 /// Where some panels do not hold after that, what did before is the better.
 SewnPanels PanelPlan::joinedWithDarts() {
-	if (tests_->stopped() || !options_.darts || !options_.splitTriangles)
+	if (tests_->stopped() || !options_.darts || !options_.splitTriangles || !sewing_->mayTry())
 		return divideUntilAllHold();
 	const PlannedSurface before = planned_;
 	joinWithDarts(planned_.surface, *tests_, sewnExcess());
@@ -71,12 +69,13 @@ SewnPanels PanelPlan::joinedWithDarts() {
 /// others may hold then, too; later all of them, for it has to end.
 SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 20, roundsOfOne = 8;
-	reliefsLeft_ = mostReliefs;
-	closingsLeft_ = mostClosings;
+	reliefsLeft_ = workOnReliefs;
+	closingsLeft_ = workOnClosings;
 	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
-		for (const int panel : round < roundsOfOne ? panelsToDivide(sewn) : worstFirst(sewn))
+		for (const int panel :
+			 round < roundsOfOne && sewing_->mayTry() ? panelsToDivide(sewn) : worstFirst(sewn))
 			if (sewn.overlaps.count(panel) == 0 && planned_.surface.trianglesOf(panel).size() > 1)
 				any = divideInTwo(planned_, options_, panel) || any;
 		if (!any)
@@ -113,8 +112,7 @@ void PanelPlan::join() {
 void PanelPlan::sewJoined() {
 	constexpr int roundsOfFew = 8, rounds = 12;
 	const bool fewer = planned_.surface.usedPanelCount() < joinedGreedily_->surface.usedPanelCount();
-	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() ||
-		sewing_->triesLeft <= 0)
+	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() || !sewing_->mayTry())
 		return;
 	planned_ = *joinedGreedily_;
 	dartTips_.clear();
@@ -125,8 +123,8 @@ void PanelPlan::sewJoined() {
 /// of those that do not are taken back, and halves may go to others. \return whether all hold
 bool PanelPlan::sewUntilAllHold(int rounds) {
 	constexpr double tighter = 0.95; // with every round: panels with more room hold sooner
-	reliefsLeft_ = mostReliefs;
-	closingsLeft_ = mostClosings;
+	reliefsLeft_ = workOnReliefs;
+	closingsLeft_ = workOnClosings;
 	std::vector<char> mayJoin(clusters_.size(), 0);
 	for (int round = 1; !tests_->stopped(); ++round) {
 		tests_->scaleLimits(std::pow(tighter, round - 1));
@@ -147,7 +145,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 			return true;
 		PlannedSurface divided = joined;
 		mayJoin = divideFailing(divided, sewn);
-		if (round == rounds || tests_->stopped() || mayJoin.empty() || sewing_->triesLeft <= 0)
+		if (round == rounds || tests_->stopped() || mayJoin.empty() || !sewing_->mayTry())
 			return false;
 		planned_ = std::move(divided);
 		dartTips_ = dartTips;
@@ -187,7 +185,7 @@ std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPan
 ClosingSteps PanelPlan::closingSteps() {
 	return {[this] {
 				SewnPanels sewn = sewing_->sew(planned_, true);
-				closingsLeft_ -= sewn.cost();
+				closingsLeft_ -= sewn.work;
 				return sewn;
 			},
 			[this](const SewnPanels& shape) { return sewing_->look(planned_, shape); },
@@ -210,7 +208,8 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn, bool darts) {
 
 SewnPanels PanelPlan::withDarts(SewnPanels sewn) {
 	constexpr std::size_t mostFailing = 3; // else panels are too large, and not just a little
-	if (!options_.darts || !options_.splitTriangles || worstFirst(sewn).size() > mostFailing)
+	if (!options_.darts || !options_.splitTriangles || !sewing_->mayTry() ||
+		worstFirst(sewn).size() > mostFailing)
 		return sewn;
 	return SewnRelief(planned_, options_, *tests_, dartTips_, reliefsLeft_,
 					  [this] { return sewTogether(true); })
@@ -221,7 +220,7 @@ SewnPanels PanelPlan::smoothSeams() {
 	const SewingSteps steps{[this] { return sewTogether(true); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), false); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), true); },
-							[this] { return !tests_->stopped() && sewing_->triesLeft > 0; }};
+							[this] { return !tests_->stopped() && sewing_->mayTry(); }};
 	SeamSmoothing drawings(planned_, clusters_, dartTips_, options_, mirror_, steps);
 	const SewnPanels drawn = drawings.run();
 	lessSmooth_.emplace(drawings.safest());

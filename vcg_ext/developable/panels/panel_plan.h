@@ -67,7 +67,7 @@ public:
 	/// What was found, and the same with seams that are less smooth, which holds just as well.
 	std::vector<PlannedSurface> found() const;
 	bool stopped() const { return tests_->stopped(); }
-	/// How much has been tested and sewn, in triangles.
+	/// What testing and sewing took, in units of WorkBudget.
 	double work() const { return tests_->work() + sewing_->work(); }
 	CutResult result() const;
 
@@ -104,10 +104,10 @@ private:
 	std::unique_ptr<PanelTests> tests_;
 	std::unique_ptr<PanelSewing> sewing_;
 	std::vector<int> clusters_; // per triangle, before any were joined
-	/// Sewing all panels together takes long: so often at most in each stage to see whether darts help, or
-	/// closing overlaps.
-	static constexpr int mostReliefs = 12, mostClosings = 16;
-	double reliefsLeft_ = mostReliefs, closingsLeft_ = mostClosings;
+	/// Sewing all panels together takes long: so much work at most in each stage to see whether darts help,
+	/// or closing overlaps.
+	static constexpr double workOnReliefs = 1e7, workOnClosings = 1.2e7;
+	double reliefsLeft_ = workOnReliefs, closingsLeft_ = workOnClosings;
 	std::optional<SharpFeatures> creases_; // of what is developable between them
 	const MirrorPlane* mirror_ = nullptr;
 	std::function<bool(const CutSurface&)> isPromising_;

@@ -14,6 +14,11 @@ namespace developable::detail {
 
 namespace {
 
+/// Some twenty runs on a coarse level, and a few on the surface itself.
+constexpr double workOnTries = 2e7, workOnTriesPerTriangle = 3e3;
+
+constexpr double workAround = 20; ///< a run, on a triangle that is put in place and laid flat
+
 /// As the constrained Newton method will prefer it where the user runs it. Limits by default are the same
 /// along any axes, and so what is preferred is here.
 double preferredMove(const PatchAssembly& assembly, const std::vector<double>& limits,
@@ -37,7 +42,8 @@ bool PanelSewing::Asked::operator==(const Asked& other) const {
 PanelSewing::PanelSewing(const GivenPatches& given, const std::vector<double>& limits,
 						 const CutOptions& options, PanelTests& tests)
 	: given_(given), limits_(limits), options_(options), tests_(tests),
-	  preferredMove_(preferredMove(assemblePatches(given.mesh, {}), limits, options)) {}
+	  preferredMove_(preferredMove(assemblePatches(given.mesh, {}), limits, options)),
+	  mostWork_(workOnTries + workOnTriesPerTriangle * given.mesh.triangleCount()) {}
 
 SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	const TriangleMesh mesh = meshAsCut(planned, given_.vertexTaken);
@@ -47,10 +53,11 @@ SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	for (const Seen& seen : seen_)
 		if (seen.asked == asked && serves(seen, brief))
 			return seen.sewn;
-	work_ += planned.mesh.triangleCount();
+	work_ += workAround * mesh.triangleCount();
 	SewnPanels sewn = developSewnPanels(
 		mesh, planned.surface, limits_, options_.material, preferredMove_, brief,
 		[&](double, const std::string&) { return tests_.mayGoOn(0.7, "sewing the panels together"); });
+	work_ += sewn.work;
 	if (tests_.stopped())
 		return sewn;
 	if (seen_.size() == mostSeen)

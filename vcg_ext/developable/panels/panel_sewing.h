@@ -26,9 +26,9 @@ public:
 		return overlapsOfShape(meshAsCut(planned, given_.vertexTaken), planned.surface, shape);
 	}
 
-	/// Until what does not hold is just divided, sewings may be tried; how many are left.
-	double triesLeft = 30;
-	/// How much was sewn, in triangles.
+	/// Whether there is time left to try what may not hold; else it is just divided.
+	bool mayTry() const { return work_ < mostWork_; }
+	/// What sewing took, in units of WorkBudget.
 	double work() const { return work_; }
 
 private:
@@ -54,6 +54,7 @@ private:
 	const CutOptions options_;
 	PanelTests& tests_;
 	double preferredMove_; // of a run, share of the diagonal
+	double mostWork_;      // on tries
 	double work_ = 0;
 	std::deque<Seen> seen_;
 };

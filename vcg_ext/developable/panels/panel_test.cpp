@@ -16,6 +16,7 @@ namespace {
 
 constexpr double meanOnWay = 1.05;      ///< shapes that hold hardly ever have been farther from the original
 constexpr double greatestStrain = 1e-3; ///< of a developable panel laid flat: C ≤ 1e-4 leaves far less
+constexpr double workOnTriangle = 3;    ///< of a mesh that is put together, made coarser and looked at
 
 bool isDisk(const PatchAssembly& assembly) {
 	return assembly.patchCount() == 1 && assembly.patches[0].orientable &&
@@ -83,6 +84,7 @@ void testOnLevel(const PatchAssembly& assembly, const PanelLimits& limits, const
 	Positions positions = assembly.originalPositions;
 	verdict.worstPoint = worstPoint(assembly, positions);
 	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, briefRun(limits), progress);
+	verdict.work += report.work;
 	const bool near = isNear(assembly, positions, limits, verdict);
 	if (!converged(report.status))
 		verdict.worstPoint = worstPoint(assembly, positions);
@@ -132,6 +134,7 @@ void testStrained(const PatchAssembly& assembly, const PatchAssembly& coarse, co
 	verdict.obstacle = Obstacle::BeyondBounds;
 	if (outlook == Outlook::Hopeless)
 		return;
+	verdict.work += workOnStrain * assembly.triangleCount();
 	Positions positions = assembly.originalPositions;
 	const BoundedSearch search{limits.maxDisplacement, meanOnWay * limits.meanDisplacement, true};
 	const PatternVerdict pattern =
@@ -144,6 +147,7 @@ void testStrained(const PatchAssembly& assembly, const PatchAssembly& coarse, co
 PanelVerdict test(const TriangleMesh& mesh, const PanelLimits& limits, bool onlyIfPromising,
 				  const Progress& progress) {
 	PanelVerdict verdict;
+	verdict.work = workOnTriangle * mesh.triangleCount();
 	const PatchAssembly assembly = assemblePatches(mesh, {});
 	if (!isSheet(assembly)) {
 		verdict.obstacle = Obstacle::NoSheet;

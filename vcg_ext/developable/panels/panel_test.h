@@ -38,6 +38,7 @@ struct PanelVerdict {
 	double meanDisplacement = 0;
 	Eigen::Vector3d worstPoint =
 		Eigen::Vector3d::Zero(); ///< where the largest angle defect is left or was, or what moves too far
+	double work = 0;             ///< what the test took, in units of WorkBudget
 
 	bool isPanel() const { return flat && disk; }
 };

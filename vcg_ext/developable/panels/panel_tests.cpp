@@ -59,19 +59,26 @@ std::optional<PanelVerdict> PanelTests::verdictOn(const PanelTrial& trial, const
 	return verdict;
 }
 
+/// What is asked for the first time.
+void PanelTests::countWork(const PanelTrial& trial, const PanelVerdict& verdict) {
+	bool isFirst = verdicts_[trial.onlyIfPromising].want(trial.panel);
+	if (trial.onlyIfPromising && verdict.obstacle != Obstacle::Unpromising)
+		isFirst = verdicts_[false].want(trial.panel) && isFirst;
+	work_ += isFirst ? verdict.work : 0;
+}
+
 std::vector<PanelVerdict> PanelTests::test(const std::vector<PanelTrial>& trials) {
 	std::vector<PanelVerdict> verdicts(trials.size());
 	std::vector<Task> tasks;
 	tasks.reserve(trials.size());
-	for (std::size_t i = 0; i < trials.size(); ++i) {
-		if (verdicts_[trials[i].onlyIfPromising].want(trials[i].panel))
-			work_ += trials[i].panel.triangleCount();
+	for (std::size_t i = 0; i < trials.size(); ++i)
 		tasks.push_back({1, [&, i](const Progress& progress) {
 							 if (!stopped_)
 								 verdicts[i] = verdictOn(trials[i], progress).value_or(PanelVerdict());
 						 }});
-	}
 	runTasks(tasks, 0, [&](double, const std::string&) { return mayGoOn(fractionDone_, message_); });
+	for (std::size_t i = 0; i < trials.size(); ++i)
+		countWork(trials[i], verdicts[i]);
 	return verdicts;
 }
 

@@ -67,19 +67,20 @@ public:
 	bool mayGoOn(double fractionDone, const std::string& message);
 	bool stopped() const override { return stopped_; }
 
-	/// How much has been tested, in triangles: what time may be measured by and be the same on every run.
+	/// What tests took, in units of WorkBudget: what time may be measured by and be the same on every run.
 	double work() const { return work_; }
 	/// What it may come to, when a stage may do so much beside what was done before; a little it may always
 	/// do.
 	double workWith(double share) const { return work_ + std::max(share * work_, smallWork); }
 
 private:
-	static constexpr double smallWork = 3e5; // triangles, which take seconds
+	static constexpr double smallWork = 2e6; // which takes a second or two
 	class Ahead;
 
 	/// \return nothing where it was asked to stop
 	std::optional<PanelVerdict> verdictOn(const PanelTrial& trial, const Progress& progress);
 	std::optional<PanelVerdict> found(const PanelTrial& trial, const Progress& progress) const;
+	void countWork(const PanelTrial& trial, const PanelVerdict& verdict);
 
 	const std::vector<double> maxDisplacement_;
 	const PanelMaterial material_;

@@ -188,7 +188,7 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 	options.tuning.preferredMove *= options.tuning.coarseRoom;
 	options.tuning.preferredLength *= options.tuning.coarseRoom;
 	Positions positions = coarse.assembly.originalPositions;
-	constrainedNewton(coarse.assembly, positions, options, progress);
+	result.work += constrainedNewton(coarse.assembly, positions, options, progress).work;
 	measurePanels(coarse.assembly, positions, surface, panelOfCoarsePatch, limits, result);
 	if (!judgeCurvature(options, panelOfCoarsePatch, limits, result))
 		return;
@@ -202,7 +202,7 @@ void developWholly(const PatchAssembly& assembly, const CutSurface& surface,
 				   SewnPanels& result, const Progress& progress) {
 	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
 	Positions positions = assembly.originalPositions;
-	constrainedNewton(assembly, positions, options, progress);
+	result.work += constrainedNewton(assembly, positions, options, progress).work;
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
 	if (judgeCurvature(options, panelOfPatch, limits, result))
 		refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
@@ -217,6 +217,7 @@ void developStrained(const PatchAssembly& assembly, const CutSurface& surface, c
 	Positions positions = assembly.originalPositions;
 	const std::vector<PatternVerdict> verdicts =
 		bringWithinBounds(assembly, positions, material, {maxDisplacement, 0, brief}, progress);
+	result.work += workOnStrain * assembly.triangleCount();
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
 	judgeStrain(verdicts, panelOfPatch, limits, result.panels);
 }

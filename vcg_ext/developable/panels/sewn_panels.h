@@ -24,9 +24,7 @@ struct SewnPanels {
 	double maxDisplacement = 0;
 	bool provisional = false; ///< seen briefly: the user's run may end otherwise
 	bool coarse = false;      ///< on a coarse level
-
-	/// What the run counts for where runs are limited, beside one on the surface itself; it takes less.
-	double cost() const { return coarse ? 0.5 : 1; }
+	double work = 0;          ///< that it took, in units of WorkBudget
 };
 
 /// How bad it is that panels are not developable, in any unit; 0 when all are.

@@ -7,9 +7,9 @@
 namespace developable::detail {
 
 SewnRelief::SewnRelief(PlannedSurface& planned, const CutOptions& options, const PanelTests& tests,
-					   std::vector<Eigen::Vector3d>& tips, double& sewingsLeft, Sewing sew)
+					   std::vector<Eigen::Vector3d>& tips, double& workLeft, Sewing sew)
 	: planned_(planned), held_(keptTriangles(planned, options)), tests_(tests), tips_(tips),
-	  sewingsLeft_(sewingsLeft), sew_(std::move(sew)) {}
+	  workLeft_(workLeft), sew_(std::move(sew)) {}
 
 SewnPanels SewnRelief::relieved(SewnPanels sewn) {
 	constexpr int rounds = 8, patience = 3; // rounds that make it no better
@@ -19,8 +19,8 @@ SewnPanels SewnRelief::relieved(SewnPanels sewn) {
 	const std::size_t tipsAtStart = tips_.size();
 	Round round;
 	int idle = 0;
-	for (int i = 0;
-		 i < rounds && idle < patience && sewingsLeft_ > 0 && !tests_.stopped() && worstOf(sewn) >= 0; ++i) {
+	for (int i = 0; i < rounds && idle < patience && workLeft_ > 0 && !tests_.stopped() && worstOf(sewn) >= 0;
+		 ++i) {
 		if (tryRound(round, sewn)) {
 			idle = 0;
 			round = {};
@@ -43,10 +43,10 @@ bool SewnRelief::tryRound(const Round& round, SewnPanels& sewn) {
 	const CutSurface before = planned_.surface;
 	while (true) {
 		const std::set<int> panels = addDarts(round, sewn);
-		if (panels.empty() || sewingsLeft_ <= 0)
+		if (panels.empty() || workLeft_ <= 0)
 			break;
 		SewnPanels next = sew_();
-		sewingsLeft_ -= next.cost();
+		workLeft_ -= next.work;
 		if (tests_.stopped())
 			break;
 		if (!overlapNow(panels, sewn, next)) {

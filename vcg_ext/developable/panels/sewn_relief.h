@@ -19,10 +19,10 @@ class SewnRelief {
 public:
 	using Sewing = std::function<SewnPanels()>; ///< of the surface as it is
 
-	/// \param tips  of darts: gets those that stay
-	/// \param sewingsLeft  how often all may be sewn together: that takes long
+	/// \param tips      of darts: gets those that stay
+	/// \param workLeft  on sewing all together, in units of WorkBudget
 	SewnRelief(PlannedSurface& planned, const CutOptions& options, const PanelTests& tests,
-			   std::vector<Eigen::Vector3d>& tips, double& sewingsLeft, Sewing sew);
+			   std::vector<Eigen::Vector3d>& tips, double& workLeft, Sewing sew);
 
 	/// \param sewn  the surface as it is
 	/// \return      the surface as it is afterwards
@@ -46,7 +46,7 @@ private:
 	const std::vector<char> held_; // per triangle
 	const PanelTests& tests_;      // which know of a stop
 	std::vector<Eigen::Vector3d>& tips_;
-	double& sewingsLeft_;
+	double& workLeft_;
 	const Sewing sew_;
 	std::vector<Eigen::Vector3d> tipsOfRound_;
 	std::set<int> withoutDarts_;
