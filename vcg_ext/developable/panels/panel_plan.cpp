@@ -31,6 +31,12 @@ PanelPlan::PanelPlan(const GivenPatches& given, const std::vector<double>& limit
 	sewing_ = std::make_unique<PanelSewing>(given_, limits, options_, *tests_);
 }
 
+/// Some twenty runs on a coarse level, and a few on the surface itself.
+bool PanelPlan::mayTry() const {
+	constexpr double workOnTries = 2e7, workOnTriesPerTriangle = 3e3;
+	return work() - workOnJoining_ < workOnTries + workOnTriesPerTriangle * given_.mesh.triangleCount();
+}
+
 SewnPanels PanelPlan::sewTogether(bool brief) {
 	return sewing_->sew(planned_, brief);
 }
@@ -54,7 +60,7 @@ SewnExcess PanelPlan::sewnExcess() {
 
 /// Where some panels do not hold after that, what did before is the better.
 SewnPanels PanelPlan::joinedWithDarts() {
-	if (tests_->stopped() || !options_.darts || !options_.splitTriangles || !sewing_->mayTry())
+	if (tests_->stopped() || !options_.darts || !options_.splitTriangles || !mayTry())
 		return divideUntilAllHold();
 	const PlannedSurface before = planned_;
 	joinWithDarts(planned_.surface, *tests_, sewnExcess());
@@ -74,8 +80,7 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
-		for (const int panel :
-			 round < roundsOfOne && sewing_->mayTry() ? panelsToDivide(sewn) : worstFirst(sewn))
+		for (const int panel : round < roundsOfOne && mayTry() ? panelsToDivide(sewn) : worstFirst(sewn))
 			if (sewn.overlaps.count(panel) == 0 && planned_.surface.trianglesOf(panel).size() > 1)
 				any = divideInTwo(planned_, options_, panel) || any;
 		if (!any)
@@ -94,13 +99,20 @@ const std::vector<int>& PanelPlan::cluster(double deviation) {
 
 /// Across seams that lie on none of some creases.
 void PanelPlan::joinBetween(const SharpFeatures& creases) {
-	joinPanels(planned_.surface, *tests_, history_,
-			   [&](const SeamChain& chain) { return !liesOnCrease(chain, planned_.surface, creases); });
+	joinPanels(planned_.surface, *tests_, history_, [&](const SeamChain& chain) {
+		return mayJoinOn() && !liesOnCrease(chain, planned_.surface, creases);
+	});
+}
+
+/// Of shapes with limbs and fine detail the last few panels would take longer than all before.
+bool PanelPlan::mayJoinOn() const {
+	constexpr double mostWork = 2e7; // a good half minute
+	return tests_->work() < mostWork;
 }
 
 void PanelPlan::join() {
 	joinBetween(sharpFeatures(planned_.surface, options_.creaseAngle));
-	joinPanels(planned_.surface, *tests_, history_);
+	joinPanels(planned_.surface, *tests_, history_, [this](const SeamChain&) { return mayJoinOn(); });
 	joinedGreedily_ = planned_;
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
 	if (options_.darts && options_.splitTriangles)
@@ -112,7 +124,7 @@ void PanelPlan::join() {
 void PanelPlan::sewJoined() {
 	constexpr int roundsOfFew = 8, rounds = 12;
 	const bool fewer = planned_.surface.usedPanelCount() < joinedGreedily_->surface.usedPanelCount();
-	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() || !sewing_->mayTry())
+	if (sewUntilAllHold(fewer ? roundsOfFew : rounds) || !fewer || tests_->stopped() || !mayTry())
 		return;
 	planned_ = *joinedGreedily_;
 	dartTips_.clear();
@@ -145,7 +157,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 			return true;
 		PlannedSurface divided = joined;
 		mayJoin = divideFailing(divided, sewn);
-		if (round == rounds || tests_->stopped() || mayJoin.empty() || !sewing_->mayTry())
+		if (round == rounds || tests_->stopped() || mayJoin.empty() || !mayTry())
 			return false;
 		planned_ = std::move(divided);
 		dartTips_ = dartTips;
@@ -208,8 +220,7 @@ SewnPanels PanelPlan::relieved(SewnPanels sewn, bool darts) {
 
 SewnPanels PanelPlan::withDarts(SewnPanels sewn) {
 	constexpr std::size_t mostFailing = 3; // else panels are too large, and not just a little
-	if (!options_.darts || !options_.splitTriangles || !sewing_->mayTry() ||
-		worstFirst(sewn).size() > mostFailing)
+	if (!options_.darts || !options_.splitTriangles || !mayTry() || worstFirst(sewn).size() > mostFailing)
 		return sewn;
 	return SewnRelief(planned_, options_, *tests_, dartTips_, reliefsLeft_,
 					  [this] { return sewTogether(true); })
@@ -220,7 +231,7 @@ SewnPanels PanelPlan::smoothSeams() {
 	const SewingSteps steps{[this] { return sewTogether(true); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), false); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), true); },
-							[this] { return !tests_->stopped() && sewing_->mayTry(); }};
+							[this] { return !tests_->stopped() && mayTry(); }};
 	SeamSmoothing drawings(planned_, clusters_, dartTips_, options_, mirror_, steps);
 	const SewnPanels drawn = drawings.run();
 	lessSmooth_.emplace(drawings.safest());
@@ -233,6 +244,7 @@ SewnPanels PanelPlan::smoothSeams() {
 
 bool PanelPlan::search(std::function<bool(const CutSurface&)> isPromising) {
 	isPromising_ = std::move(isPromising);
+	workOnJoining_ = work();
 	sewJoined();
 	if (!this->isPromising())
 		return false;

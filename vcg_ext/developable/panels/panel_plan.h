@@ -76,8 +76,11 @@ private:
 	bool clusterStill();
 	void straighten();
 	void joinBetween(const SharpFeatures& creases);
+	bool mayJoinOn() const;
 	void joinToSoFew();
 
+	/// Whether there is time left to try what may not hold; else that is just divided.
+	bool mayTry() const;
 	bool isPromising() const { return !isPromising_ || isPromising_(planned_.surface); }
 	void sewJoined();
 	void absorbSmallPanels();
@@ -108,6 +111,7 @@ private:
 	/// or closing overlaps.
 	static constexpr double workOnReliefs = 1e7, workOnClosings = 1.2e7;
 	double reliefsLeft_ = workOnReliefs, closingsLeft_ = workOnClosings;
+	double workOnJoining_ = 0;             ///< before any were sewn together
 	std::optional<SharpFeatures> creases_; // of what is developable between them
 	const MirrorPlane* mirror_ = nullptr;
 	std::function<bool(const CutSurface&)> isPromising_;

@@ -14,9 +14,6 @@ namespace developable::detail {
 
 namespace {
 
-/// Some twenty runs on a coarse level, and a few on the surface itself.
-constexpr double workOnTries = 2e7, workOnTriesPerTriangle = 3e3;
-
 constexpr double workAround = 20; ///< a run, on a triangle that is put in place and laid flat
 
 /// As the constrained Newton method will prefer it where the user runs it. Limits by default are the same
@@ -42,8 +39,7 @@ bool PanelSewing::Asked::operator==(const Asked& other) const {
 PanelSewing::PanelSewing(const GivenPatches& given, const std::vector<double>& limits,
 						 const CutOptions& options, PanelTests& tests)
 	: given_(given), limits_(limits), options_(options), tests_(tests),
-	  preferredMove_(preferredMove(assemblePatches(given.mesh, {}), limits, options)),
-	  mostWork_(workOnTries + workOnTriesPerTriangle * given.mesh.triangleCount()) {}
+	  preferredMove_(preferredMove(assemblePatches(given.mesh, {}), limits, options)) {}
 
 SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	const TriangleMesh mesh = meshAsCut(planned, given_.vertexTaken);

@@ -26,8 +26,6 @@ public:
 		return overlapsOfShape(meshAsCut(planned, given_.vertexTaken), planned.surface, shape);
 	}
 
-	/// Whether there is time left to try what may not hold; else it is just divided.
-	bool mayTry() const { return work_ < mostWork_; }
 	/// What sewing took, in units of WorkBudget.
 	double work() const { return work_; }
 
@@ -54,7 +52,6 @@ private:
 	const CutOptions options_;
 	PanelTests& tests_;
 	double preferredMove_; // of a run, share of the diagonal
-	double mostWork_;      // on tries
 	double work_ = 0;
 	std::deque<Seen> seen_;
 };

@@ -70,11 +70,11 @@ public:
 	/// What tests took, in units of WorkBudget: what time may be measured by and be the same on every run.
 	double work() const { return work_; }
 	/// What it may come to, when a stage may do so much beside what was done before; a little it may always
-	/// do.
-	double workWith(double share) const { return work_ + std::max(share * work_, smallWork); }
+	/// do, and never very much.
+	double workWith(double share) const { return work_ + std::clamp(share * work_, smallWork, muchWork); }
 
 private:
-	static constexpr double smallWork = 2e6; // which takes a second or two
+	static constexpr double smallWork = 2e6, muchWork = 1.5e7; // a second or two, and half a minute at most
 	class Ahead;
 
 	/// \return nothing where it was asked to stop

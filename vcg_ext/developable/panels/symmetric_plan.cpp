@@ -27,6 +27,7 @@ SymmetricOutcome PanelPlan::searchSymmetric(const MirrorPlane& plane) {
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		tests_->scaleLimits(std::pow(tighter, round));
 		joinSymmetrically(planned_.surface, *tests_, history_, plane, mirrored);
+		workOnJoining_ = round == 0 ? work() : workOnJoining_;
 		PlannedSurface joined = planned_;
 		sewn_ = smoothSeams();
 		std::set<int> failing;
