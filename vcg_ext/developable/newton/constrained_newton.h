@@ -32,8 +32,8 @@ struct ConstrainedNewtonOptions {
 struct ConstrainedNewtonReport : OptimizationReport {
 	/// Total absolute curvature that each patch is left with, rad, in double precision.
 	std::vector<double> patchCurvature;
-	/// What it took, in units of some third of a microsecond (see detail::WorkBudget): counted, and so the
-	/// same on every machine.
+	/// What it took, in units of detail::WorkBudget: in proportion to the time, and yet the same on every
+	/// machine, for it is counted.
 	double work = 0;
 	int worstPatch = 0; ///< the patch with most of it left, or whose border overlaps itself most
 	int worstCopy = 0;  ///< the copy of that patch with the largest absolute angle defect, or where that is
