@@ -196,7 +196,7 @@ std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPan
 
 ClosingSteps PanelPlan::closingSteps() {
 	return {[this] {
-				SewnPanels sewn = sewing_->sew(planned_, true);
+				SewnPanels sewn = sewTogether(true);
 				closingsLeft_ -= sewn.work;
 				return sewn;
 			},
