@@ -14,6 +14,7 @@ namespace developable::test {
 inline std::vector<int> labelsOf(const TriangleMesh& mesh,
 								 const std::function<int(const Eigen::Vector3d&)>& label) {
 	std::vector<int> labels;
+	labels.reserve(mesh.triangleCount());
 	for (int t = 0; t < mesh.triangleCount(); ++t)
 		labels.push_back(label(mesh.positions(Eigen::all, mesh.triangles.col(t)).rowwise().mean()));
 	return labels;
@@ -40,6 +41,17 @@ inline detail::CutSurface withPanels(const TriangleMesh& mesh, const std::vector
 inline detail::CutSurface square() {
 	const TriangleMesh mesh = grid(9, 9, [](double u, double v) { return Eigen::Vector3d(u, v, 0); });
 	return withPanels(mesh, strips(mesh, 1));
+}
+
+/// A tube, open at both ends.
+inline TriangleMesh tube(int corners, int rows) {
+	TriangleMesh mesh = grid(corners + 1, rows, [](double u, double v) {
+		return Eigen::Vector3d(std::cos(2 * pi * u), std::sin(2 * pi * u), 2 * v);
+	});
+	for (int& vertex : mesh.triangles.reshaped())
+		if (vertex % (corners + 1) == corners)
+			vertex -= corners;
+	return mesh;
 }
 
 inline std::set<std::vector<int>> panelsOf(const detail::CutSurface& surface) {

@@ -2,23 +2,12 @@
 // Why panels are no larger: closed forms whose reason is known.
 #include "developable/panels/cut_into_panels.h"
 
-#include "support/shapes.h"
+#include "panel_shapes.h"
 
 #include <gtest/gtest.h>
 
 namespace developable::test {
 namespace {
-
-/// A tube, open at both ends.
-TriangleMesh tube(int corners, int rows) {
-	TriangleMesh mesh = grid(corners + 1, rows, [](double u, double v) {
-		return Eigen::Vector3d(std::cos(2 * pi * u), std::sin(2 * pi * u), 2 * v);
-	});
-	for (int& vertex : mesh.triangles.reshaped())
-		if (vertex % (corners + 1) == corners)
-			vertex -= corners;
-	return mesh;
-}
 
 TEST(SeamReasons, ofATubeIsThatItCloses) {
 	const CutReport report = cutIntoPanels(tube(24, 9), {}, {}).report;

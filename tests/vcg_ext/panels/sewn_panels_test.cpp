@@ -4,6 +4,7 @@
 
 #include "developable/newton/constrained_newton.h"
 #include "developable/panels/planned_surface.h"
+#include "developable/panels/ring_slits.h"
 #include "panel_shapes.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +30,21 @@ TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
 	EXPECT_EQ(detail::worstOf(within), -1);
 	EXPECT_LE(within.maxDisplacement, preferred);
 	EXPECT_GT(within.maxDisplacement, preferred / 2);
+}
+
+/// It is developable, but no sheet.
+TEST(SewnPanels, areNoneWhereTheyNeedACutToLieFlat) {
+	const GivenPatches given = detail::separatePatches(tube(24, 9), {});
+	PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 1))};
+	const auto sewn = [&] {
+		return detail::developSewnPanels(detail::meshAsCut(planned, given.vertexTaken), planned.surface, {1},
+										 {}, 1, false, {});
+	};
+	const SewnPanels ring = sewn();
+	EXPECT_EQ(detail::worstOf(ring), 0);
+	EXPECT_EQ(ring.panels[0].reason, Reason::NeedsCut);
+	detail::slitHoles(planned.surface, 0);
+	EXPECT_EQ(detail::worstOf(sewn()), -1);
 }
 
 /// Over twice the unit square.

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace developable::test {
 namespace {
 
@@ -46,6 +48,70 @@ TEST(SlitLabels, panelsThatWereTwoStayTwo) {
 	CutSurface other = withPanels(mesh, labels.labels());
 	labels.openWithin(other, labels.labels());
 	EXPECT_EQ(other.usedPanelCount(), 2);
+}
+
+/// Round a tube, from one angle to another, shares of a turn.
+std::vector<int> sector(const TriangleMesh& mesh, double from, double to) {
+	return labelsOf(mesh, [&](const Eigen::Vector3d& at) {
+		const double turn = std::atan2(at[1], at[0]) / (2 * pi);
+		return turn > from && turn < to;
+	});
+}
+
+/// Both seams between the two clusters run near where the tube was whole then.
+TEST(SlitLabels, aTubeWithASlitKeepsOne) {
+	const TriangleMesh mesh = tube(60, 9);
+	const std::vector<int> clusters = sector(mesh, 0, 0.25);
+	CutSurface surface = withPanels(mesh, clusters);
+	for (const detail::SeamChain& chain : detail::seamChains(surface))
+		if (surface.middleOf(chain.halfEdges.front())[1] < 0.5)
+			surface.join(chain.halfEdges);
+	ASSERT_EQ(surface.usedPanelCount(), 1);
+	const SlitLabels labels(surface, clusters);
+	CutSurface other = withPanels(mesh, sector(mesh, -0.1, 0.1));
+	labels.openWithin(other, sector(mesh, -0.1, 0.1));
+	ASSERT_EQ(other.usedPanelCount(), 1);
+	EXPECT_EQ(detail::eulerCharacteristic(other, other.panelOf(0)), 1);
+	EXPECT_NEAR(seamLength(other), 2, 1e-9); // the tube is so long
+}
+
+TEST(SlitLabels, aPanelWhoseTwoEndsMeetGetsASlit) {
+	const TriangleMesh mesh = tube(60, 9);
+	const std::vector<int> whole = sector(mesh, 0, 0.1); // between the ends, all along the tube
+	std::vector<int> half = whole;
+	for (int t = 0; t < mesh.triangleCount(); ++t)
+		half[t] = whole[t] && mesh.positions(2, mesh.triangles(0, t)) < 1;
+	const SlitLabels labels(withPanels(mesh, whole), whole);
+	CutSurface other = withPanels(mesh, half);
+	ASSERT_EQ(detail::eulerCharacteristic(other, other.panelOf(mesh.triangleCount() - 1)), 0);
+	labels.openWithin(other, half);
+	EXPECT_EQ(other.usedPanelCount(), 2);
+	for (const int triangle : {0, mesh.triangleCount() - 1})
+		EXPECT_EQ(detail::eulerCharacteristic(other, other.panelOf(triangle)), 1);
+}
+
+/// Where two clusters meet along two seams with a third one between these, one seam may go after the other.
+TEST(SlitLabels, seamsRoundAClusterOpenOneAfterTheOther) {
+	const TriangleMesh mesh = grid(31, 31, [](double u, double v) { return Eigen::Vector3d(u, v, 0); });
+	const std::vector<int> clusters = labelsOf(mesh, [](const Eigen::Vector3d& at) {
+		const bool inside = std::max(std::abs(at[0] - 0.5), std::abs(at[1] - 0.5)) < 0.2;
+		return inside ? 2 : at[1] > 0.5 ? 1 : 0;
+	});
+	CutSurface surface = withPanels(mesh, clusters);
+	for (const detail::SeamChain& chain : detail::seamChains(surface)) {
+		std::vector<int> open; // all but a dart that is shorter than half of the seam that it lies on
+		for (const int h : chain.halfEdges)
+			if (surface.middleOf(h)[0] < 0.9)
+				open.push_back(h);
+		surface.join(open);
+	}
+	ASSERT_EQ(surface.usedPanelCount(), 1);
+	const SlitLabels labels(surface, clusters);
+	ASSERT_EQ(labels.count(), 3);
+	CutSurface other = withPanels(mesh, clusters);
+	labels.openWithin(other, labels.labels());
+	EXPECT_EQ(other.usedPanelCount(), 1);
+	EXPECT_EQ(seamLength(other), 0);
 }
 
 } // namespace

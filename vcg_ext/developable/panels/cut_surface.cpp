@@ -201,4 +201,9 @@ TriangleMesh CutSurface::meshOf(const std::vector<int>& triangles) const {
 	return mesh;
 }
 
+int eulerCharacteristic(const CutSurface& surface, int panel) {
+	const PatchAssembly assembly = assemblePatches(surface.meshOf(surface.trianglesOf(panel)), {});
+	return assembly.patchCount() == 1 ? assembly.patches[0].eulerCharacteristic() : 2;
+}
+
 } // namespace developable::detail

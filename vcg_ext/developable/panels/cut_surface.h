@@ -93,4 +93,7 @@ private:
 	Eigen::VectorXd patchAreas_;
 };
 
+/// 1 of a disk, 0 of a ring; 2 of a panel that is none at all.
+int eulerCharacteristic(const CutSurface& surface, int panel);
+
 } // namespace developable::detail

@@ -84,12 +84,6 @@ bool fillNotch(CutSurface& surface, int panel, const std::vector<int>& notch, co
 	});
 }
 
-/// 1 of a disk, 0 of a ring; 2 of what is none at all
-int eulerCharacteristic(const CutSurface& surface, int panel) {
-	const PatchAssembly assembly = assemblePatches(surface.meshOf(surface.trianglesOf(panel)), {});
-	return assembly.patchCount() == 1 ? assembly.patches[0].eulerCharacteristic() : 2;
-}
-
 /// Whether panels are disks, or what they were.
 bool isAsWhole(const CutSurface& after, const CutSurface& before) {
 	for (int panel = 0; panel < after.panelCount(); ++panel) {

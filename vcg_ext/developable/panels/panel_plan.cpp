@@ -7,6 +7,7 @@
 #include "first_panels.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
+#include "ring_slits.h"
 #include "seam_drawing.h"
 #include "seam_reasons.h"
 #include "seam_smoothing.h"
@@ -81,8 +82,12 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
 		for (const int panel : round < roundsOfOne && mayTry() ? panelsToDivide(sewn) : worstFirst(sewn))
-			if (sewn.overlaps.count(panel) == 0 && planned_.surface.trianglesOf(panel).size() > 1)
-				any = divideInTwo(planned_, options_, panel) || any;
+			if (const std::vector<int> triangles = planned_.surface.trianglesOf(panel);
+				sewn.overlaps.count(panel) == 0 && triangles.size() > 1 &&
+				divideInTwo(planned_, options_, panel)) {
+				any = true;
+				slitPanelsOf(planned_.surface, triangles);
+			}
 		if (!any)
 			break;
 		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
@@ -142,7 +147,8 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 		tests_->scaleLimits(std::pow(tighter, round - 1));
 		joinPanels(planned_.surface, *tests_, history_, [&](const SeamChain& chain) {
 			const int h = chain.halfEdges.front();
-			return mayJoin[triangleOf(h)] || mayJoin[triangleOf(planned_.surface.assembly().across(h))];
+			return mayTry() &&
+				   (mayJoin[triangleOf(h)] || mayJoin[triangleOf(planned_.surface.assembly().across(h))]);
 		});
 		if (tests_->stopped() || seamChains(planned_.surface).empty())
 			return true;

@@ -101,7 +101,7 @@ Positions cornersOf(const PatchAssembly& assembly, const Positions& positions, c
 	return corners;
 }
 
-/// Panels that overlap themselves when laid flat are none, however developable.
+/// Panels that overlap themselves when laid flat, or need a cut for it, are none, however developable.
 void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions, const CutSurface& surface,
 					const std::vector<int>& panelOfPatch, SewnPanels& result) {
 	constexpr double farthest = 0.2; // share of a border: what goes farther is no matter of a dart or a notch
@@ -112,7 +112,7 @@ void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions, c
 	result.corners = cornersOf(assembly, positions, surface);
 	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch) {
 		const FlatPiece& piece = patterns.pieces[patch];
-		if (!piece.overlapping)
+		if (!piece.overlapping && piece.cuts == 0)
 			continue;
 		CutPanel& panel = result.panels[panelOfPatch[patch]];
 		panel.developable = false;

@@ -2,13 +2,52 @@
 // slit_labels.cpp: which seams between clusters were open, by where they ran.
 #include "slit_labels.h"
 
+#include "ring_slits.h"
+
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
 namespace developable::detail {
 
+namespace {
+
+/// \param euler  characteristic of the panel that is to be
+/// \return       whether some half edges of a panel are open now: they stay a slit where the panel would get
+///               a hole that it has not to have
+bool openUnlessHole(CutSurface& surface, const std::vector<int>& halfEdges, int euler) {
+	const int panel = surface.panelOf(triangleOf(halfEdges.front()));
+	const int before = eulerCharacteristic(surface, panel);
+	surface.join(halfEdges);
+	if (eulerCharacteristic(surface, panel) >= std::min(before, euler))
+		return true;
+	for (const int h : halfEdges)
+		surface.setCut(h, true);
+	return false;
+}
+
+/// The same with chains, of which some may not open before others have.
+/// \param eulerAt  the characteristic that the panel of a triangle is to have
+void openUnlessHoles(CutSurface& surface, std::vector<SeamChain> chains,
+					 const std::function<int(int)>& eulerAt) {
+	const auto opens = [&](const SeamChain& chain) {
+		return openUnlessHole(surface, chain.halfEdges, eulerAt(triangleOf(chain.halfEdges.front())));
+	};
+	std::size_t before = 0;
+	do {
+		before = chains.size();
+		chains.erase(std::remove_if(chains.begin(), chains.end(), opens), chains.end());
+	} while (chains.size() < before);
+}
+
+} // namespace
+
 SlitLabels::SlitLabels(const CutSurface& surface, const std::vector<int>& clusters) : surface_(surface) {
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		eulerOfPanel_.push_back(
+			surface.trianglesOf(panel).empty() ? 1 : std::min(eulerCharacteristic(surface, panel), 1));
 	std::vector<char> hasSlit(surface.panelCount(), 0);
 	for (const SeamChain& chain : seamChains(surface))
 		if (chain.within())
@@ -34,13 +73,19 @@ void SlitLabels::openWithin(CutSurface& other, const std::vector<int>& labels) c
 		const Evidence evidence = wasOpen(other, chain, a, b);
 		(evidence == Evidence::Open ? open : evidence == Evidence::Cut ? cut : unknown).push_back(chain);
 	}
-	for (const SeamChain& chain : open)
-		other.join(chain.halfEdges);
-	for (const std::vector<SeamChain>& chains : {unknown, longestFirst(cut)})
-		for (const SeamChain& chain : chains) // a panel stays one; never so that a ring comes of it
-			if (other.panelOf(triangleOf(chain.halfEdges.front())) !=
-				other.panelOf(triangleOf(other.assembly().across(chain.halfEdges.front()))))
+	const auto isBetweenTwo = [&](const SeamChain& chain) {
+		const int h = chain.halfEdges.front();
+		return other.panelOf(triangleOf(h)) != other.panelOf(triangleOf(other.assembly().across(h)));
+	};
+	for (const std::vector<SeamChain>& chains : {open, unknown, longestFirst(cut)}) // a panel stays one
+		for (const SeamChain& chain : chains)
+			if (isBetweenTwo(chain))
 				other.join(chain.halfEdges);
+	const auto eulerAt = [&](int triangle) { return eulerOfPanel_[panelOfLabel_[labels[triangle]]]; };
+	openUnlessHoles(other, std::move(open), eulerAt);
+	for (int panel = 0; panel < other.panelCount(); ++panel)
+		if (!other.trianglesOf(panel).empty())
+			slitHoles(other, panel, eulerAt(other.trianglesOf(panel).front()));
 }
 
 SlitLabels::Evidence SlitLabels::wasOpen(const CutSurface& other, const SeamChain& chain, int a,

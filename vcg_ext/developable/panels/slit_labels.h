@@ -17,6 +17,7 @@ public:
 	const std::vector<int>& labels() const { return labels_; } ///< per triangle, from 0
 	int count() const { return static_cast<int>(panelOfLabel_.size()); }
 
+	/// A panel that has become a ring, as nothing lies between its two ends any more, gets a slit.
 	/// \param labels  per triangle of the other surface, whose panels are the connected parts of these
 	void openWithin(CutSurface& other, const std::vector<int>& labels) const;
 
@@ -30,6 +31,7 @@ private:
 	const CutSurface& surface_;
 	std::vector<int> labels_;
 	std::vector<int> panelOfLabel_;
+	std::vector<int> eulerOfPanel_; // its characteristic, 1 at most
 };
 
 } // namespace developable::detail
