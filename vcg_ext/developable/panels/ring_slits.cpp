@@ -32,6 +32,7 @@ std::vector<std::vector<int>> bordersOf(const CutSurface& surface, int panel) {
 	for (const int copy : onBorder)
 		borders[connected.find(copy)].push_back(copy);
 	std::vector<std::vector<int>> result;
+	result.reserve(borders.size());
 	for (auto& [root, copies] : borders)
 		result.push_back(std::move(copies));
 	return result;
