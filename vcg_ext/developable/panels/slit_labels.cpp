@@ -33,7 +33,8 @@ bool openUnlessHole(CutSurface& surface, const std::vector<int>& halfEdges, int 
 void openUnlessHoles(CutSurface& surface, std::vector<SeamChain> chains,
 					 const std::function<int(int)>& eulerAt) {
 	const auto opens = [&](const SeamChain& chain) {
-		return openUnlessHole(surface, chain.halfEdges, eulerAt(triangleOf(chain.halfEdges.front())));
+		return !surface.isCut(chain.halfEdges.front()) || // it was between two panels
+			   openUnlessHole(surface, chain.halfEdges, eulerAt(triangleOf(chain.halfEdges.front())));
 	};
 	std::size_t before = 0;
 	do {
