@@ -87,6 +87,18 @@ TEST(SurfaceDistance, AgreesWithSamplingNearAndFar) {
 	}
 }
 
+TEST(SurfaceDistance, KnowsWhichTriangleIsNearest) {
+	const TriangleMesh surface = sphere(1, 2);
+	const Positions points = scatteredPoints(200, 2);
+	const std::vector<int> nearest = nearestTriangles(points, surface.positions, surface.triangles);
+	const Eigen::VectorXd distances = distancesToSurface(points, surface.positions, surface.triangles);
+	ASSERT_EQ(nearest.size(), 200u);
+	for (int i = 0; i < 200; ++i) {
+		const Positions corners = surface.positions(Eigen::all, surface.triangles.col(nearest[i]));
+		EXPECT_NEAR(distanceTo(corners, points.col(i)), distances[i], 1e-12) << i;
+	}
+}
+
 TEST(SurfaceDistance, DoesNotDependOnTheOrderOfThePoints) {
 	const TriangleMesh surface = jitteredGrid(21, 21, saddle);
 	const Positions points = scatteredPoints(200, 1);

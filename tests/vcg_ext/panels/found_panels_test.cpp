@@ -42,6 +42,18 @@ TEST(FoundPanels, areAsFewAsThoseOfTheBestStart) {
 	EXPECT_EQ(found.planned.front().surface.usedPanelCount(), fewest);
 }
 
+/// Of more triangles than panels are looked for on.
+TEST(FoundPanels, ofAFineSurfaceAreThoseOfACoarseOne) {
+	const auto panelsOf = [](int side) {
+		const GivenPatches patches = detail::separatePatches(grid(side, side, bumpedCylinder), {});
+		const FoundPanels found = detail::findPanels(patches, limitsOf(patches), {}, {});
+		EXPECT_TRUE(found.hold);
+		EXPECT_GE(found.planned.front().mesh.triangleCount(), patches.mesh.triangleCount());
+		return found.planned.front().surface.usedPanelCount();
+	};
+	EXPECT_LE(std::abs(panelsOf(66) - panelsOf(40)), 1);
+}
+
 TEST(FoundPanels, areToldOfFromTheThreadThatAsks) {
 	const GivenPatches patches = bump(9);
 	const std::thread::id asking = std::this_thread::get_id();

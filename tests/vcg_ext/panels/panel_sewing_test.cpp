@@ -83,6 +83,26 @@ TEST_F(PanelSewingTest, RunsAgainWhatASlitHasChanged) {
 	EXPECT_DOUBLE_EQ(sewing.work(), 2 * work - before.work + after.work);
 }
 
+/// What comes too far on the surface itself leaves brief runs less room from then on.
+TEST_F(PanelSewingTest, IsBriefWithLessRoomAfterARunThatCameTooFar) {
+	constexpr double leastRoom = 0.85;
+	const double limit = 1.02 * sewing.sew(plannedWith(2), false).maxDisplacement;
+	const auto farthestThatHold = [](const SewnPanels& sewn) {
+		double farthest = 0;
+		for (const CutPanel& panel : sewn.panels)
+			farthest = std::max(farthest, panel.developable ? panel.maxDisplacement : 0);
+		return farthest;
+	};
+	PanelSewing fresh{given, {limit}, {}, tests}, warned{given, {limit}, {}, tests};
+	EXPECT_GT(farthestThatHold(fresh.sew(plannedWith(2), true)), leastRoom * limit);
+	const SewnPanels tooFar = warned.sew(plannedWith(1), false);
+	ASSERT_EQ(tooFar.panels[0].reason, Reason::TooFar);
+	ASSERT_GT(tooFar.maxDisplacement, limit / leastRoom);
+	const SewnPanels brief = warned.sew(plannedWith(2), true);
+	EXPECT_LE(farthestThatHold(brief), (1 + 1e-9) * leastRoom * limit);
+	EXPECT_EQ(warned.sew(plannedWith(1), true).maxDisplacement, tooFar.maxDisplacement); // is still known
+}
+
 /// What a stop has cut short is nothing that was seen.
 TEST_F(PanelSewingTest, ForgetsWhatWasStopped) {
 	goOn = false;

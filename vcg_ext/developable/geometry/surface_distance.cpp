@@ -21,4 +21,13 @@ Eigen::VectorXd distancesToSurface(const Positions& points, const Positions& ver
 	return (points - nearestOnSurface(points, vertices, triangles)).colwise().norm();
 }
 
+std::vector<int> nearestTriangles(const Positions& points, const Positions& vertices,
+								  const Eigen::Matrix3Xi& triangles) {
+	detail::TriangleTree tree(vertices, triangles);
+	std::vector<int> nearest(points.cols());
+	for (const int i : spatialOrder(points))
+		nearest[i] = tree.nearestTriangleTo(points.col(i));
+	return nearest;
+}
+
 } // namespace developable

@@ -22,4 +22,8 @@ Positions nearestOnSurface(const Positions& points, const Positions& vertices,
 Eigen::VectorXd distancesToSurface(const Positions& points, const Positions& vertices,
 								   const Eigen::Matrix3Xi& triangles);
 
+/// The triangle that is nearest to each point, one of those that are.
+std::vector<int> nearestTriangles(const Positions& points, const Positions& vertices,
+								  const Eigen::Matrix3Xi& triangles);
+
 } // namespace developable

@@ -51,10 +51,14 @@ TriangleTree::TriangleTree(const Positions& vertices, const Eigen::Matrix3Xi& tr
 	tree_.init(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
 }
 
-Eigen::Vector3d TriangleTree::nearestTo(const Eigen::Vector3d& point) {
+int TriangleTree::nearestTriangleTo(const Eigen::Vector3d& point) {
 	squaredDistance_ = (point - nearestIn(nearest_, point)).squaredNorm();
 	descend(tree_.getRootIndex(), point);
-	return nearestIn(nearest_, point);
+	return nearest_;
+}
+
+Eigen::Vector3d TriangleTree::nearestTo(const Eigen::Vector3d& point) {
+	return nearestIn(nearestTriangleTo(point), point);
 }
 
 Eigen::Vector3d TriangleTree::nearestIn(int triangle, const Eigen::Vector3d& point) const {

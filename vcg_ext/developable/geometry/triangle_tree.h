@@ -17,6 +17,8 @@ public:
 
 	/// The point of the surface that is nearest to one.
 	Eigen::Vector3d nearestTo(const Eigen::Vector3d& point);
+	/// The triangle that has it.
+	int nearestTriangleTo(const Eigen::Vector3d& point);
 
 private:
 	Eigen::Vector3d nearestIn(int triangle, const Eigen::Vector3d& point) const;

@@ -154,6 +154,7 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"wayFarthest", &NewtonTuning::wayFarthest},
 		{"wayMean", &NewtonTuning::wayMean},
 		{"returnPlaces", &NewtonTuning::returnPlaces},
+		{"returnPlacesTogether", &NewtonTuning::returnPlacesTogether},
 		{"preferredPrice", &NewtonTuning::preferredPrice},
 		{"preferredReach", &NewtonTuning::preferredReach},
 		{"preferredCurvature", &NewtonTuning::preferredCurvature},

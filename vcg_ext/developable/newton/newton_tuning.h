@@ -143,8 +143,9 @@ struct NewtonTuning {
 	double preferredMove = 0.02; ///< share of the diagonal: less far is a bound that is kept if that is easy
 	double preferredLength = 1e300; ///< length: the same, where that is less
 	int returnPlaces = 7000;        ///< more: the way to within the preferred move is left to a coarser level
-	double preferredPrice = 1.05;   ///< of it: the mean displacement, beside what it was
-	double preferredReach = 3;      ///< of it: shapes farther away are taken as they are
+	int returnPlacesTogether = 20000; ///< the same of panels that are sewn together
+	double preferredPrice = 1.05;     ///< of it: the mean displacement, beside what it was
+	double preferredReach = 3;        ///< of it: shapes farther away are taken as they are
 	double preferredCurvature = 0.15; ///< of the original, a share: more of it back within the move, likewise
 	double preferredWork = 6;         ///< times the rest: on ways back
 	double preferredWorkPerPlace = 1000; ///< at most on a single panel, in units of WorkBudget

@@ -74,14 +74,20 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 	return Ending::Stuck;
 }
 
+/// Places; panels that pull at each other are kept from going far by nothing else.
+static int mostToReturn(const NewtonProblem& problem) {
+	const NewtonTuning& tuning = problem.tuning();
+	return problem.assembly().patchCount() > 1 ? tuning.returnPlacesTogether : tuning.returnPlaces;
+}
+
 bool isSmallEnoughToReturn(const NewtonProblem& problem) {
-	return problem.assembly().placeCount() <= problem.tuning().returnPlaces;
+	return problem.assembly().placeCount() <= mostToReturn(problem);
 }
 
 ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin) {
 	const NewtonTuning& tuning = problem.tuning();
 	const bool pullAtEachOther = problem.assembly().patchCount() > 1;
-	const double size = double(problem.assembly().placeCount()) / tuning.returnPlaces;
+	const double size = double(problem.assembly().placeCount()) / mostToReturn(problem);
 	const double onLarge = (pullAtEachOther ? tuning.preferredWork : 1) / size;
 	const double onSmall = pullAtEachOther ? std::numeric_limits<double>::infinity() : tuning.preferredWork;
 	return {problem.budget(), size > 1 ? onLarge : onSmall, begin};

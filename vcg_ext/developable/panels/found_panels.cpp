@@ -4,6 +4,7 @@
 
 #include "mirror_plane.h"
 #include "panel_plan.h"
+#include "thinned_patches.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,10 @@ namespace {
 constexpr double littleWork = 6e6; ///< see WorkBudget: some seconds
 constexpr double muchWork = 5e7;   ///< see WorkBudget: a minute or two
 constexpr int mostSearches = 2;    ///< of those that take longer
+/// Where there are more triangles, panels are looked for on fewer, with so many places, which move by less:
+/// the detail that these have not takes room, too.
+constexpr int mostTriangles = 8000, placesOfThinned = 2500;
+constexpr double roomOfThinned = 0.9; ///< share of the limits
 
 bool isBetter(const FoundPanels& a, const FoundPanels& b) {
 	const CutSurface &first = a.planned.front().surface, &second = b.planned.front().surface;
@@ -145,12 +150,9 @@ std::optional<FoundPanels> findStillPanels(const GivenPatches& patches, const st
 	return {};
 }
 
-} // namespace
-
-FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
-					   const CutOptions& options, const Progress& progress) {
-	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, nullptr, progress))
-		return std::move(*still);
+/// From clusters on.
+FoundPanels search(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
+				   const Progress& progress) {
 	const Starts starts = joinedStarts(patches, limits, options, progress);
 	std::optional<FoundPanels> found;
 	double work = 0;
@@ -173,6 +175,33 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 			break;
 	}
 	return std::move(*found);
+}
+
+/// Where panels are is found with fewer triangles.
+FoundPanels searchThinned(const GivenPatches& patches, const std::vector<double>& limits,
+						  const CutOptions& options, const Progress& progress) {
+	constexpr double shareOfSearch = 0.7;
+	const ThinnedPatches thinned(patches, placesOfThinned);
+	std::vector<double> thinnedLimits = thinned.limits(limits);
+	for (double& limit : thinnedLimits)
+		limit *= roomOfThinned;
+	const FoundPanels found =
+		search(thinned.patches(), thinnedLimits, options, partOf(progress, 0, shareOfSearch));
+	if (found.stopped)
+		return stoppedPanels();
+	PanelPlan plan(patches, limits, options, partOf(progress, shareOfSearch, 1));
+	const bool hold = plan.takeOver(thinned.carriedBack(found.planned.front(), options));
+	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
+}
+
+} // namespace
+
+FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
+					   const CutOptions& options, const Progress& progress) {
+	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, nullptr, progress))
+		return std::move(*still);
+	const bool many = patches.mesh.triangleCount() > mostTriangles;
+	return (many ? searchThinned : search)(patches, limits, options, progress);
 }
 
 FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,

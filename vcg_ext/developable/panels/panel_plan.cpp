@@ -32,10 +32,9 @@ PanelPlan::PanelPlan(const GivenPatches& given, const std::vector<double>& limit
 	sewing_ = std::make_unique<PanelSewing>(given_, limits, options_, *tests_);
 }
 
-/// Some twenty runs on a coarse level, and a few on the surface itself.
 bool PanelPlan::mayTry() const {
-	constexpr double workOnTries = 2e7, workOnTriesPerTriangle = 3e3;
-	return work() - workOnJoining_ < workOnTries + workOnTriesPerTriangle * given_.mesh.triangleCount();
+	constexpr double workOnTries = 2e7; // some twenty runs on a coarse level
+	return work() - workOnJoining_ < workOnTries + workOnTriesPerTriangle_ * given_.mesh.triangleCount();
 }
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
@@ -72,16 +71,28 @@ SewnPanels PanelPlan::joinedWithDarts() {
 	return divideUntilAllHold();
 }
 
-/// Divides in two what does not hold together, where darts do not help: one panel in a round at first, as
-/// others may hold then, too; later all of them, for it has to end.
+/// Of what does not hold in a round of dividing one panel at first, as others may hold then, too; later some,
+/// in the end all of them, for it has to end.
+std::vector<int> PanelPlan::panelsToDivideIn(int round, const SewnPanels& sewn) const {
+	constexpr int roundsOfOne = 8, roundsOfSome = 14;
+	constexpr std::size_t some = 3; // of so many the worst
+	if (round < roundsOfOne && mayTry())
+		return panelsToDivide(sewn);
+	std::vector<int> panels = worstFirst(sewn);
+	if (round < roundsOfSome)
+		panels.resize((panels.size() + some - 1) / some);
+	return panels;
+}
+
+/// Divides in two what does not hold together, where darts do not help.
 SewnPanels PanelPlan::divideUntilAllHold() {
-	constexpr int rounds = 20, roundsOfOne = 8;
+	constexpr int rounds = 20;
 	reliefsLeft_ = workOnReliefs;
 	closingsLeft_ = workOnClosings;
 	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
-		for (const int panel : round < roundsOfOne && mayTry() ? panelsToDivide(sewn) : worstFirst(sewn))
+		for (const int panel : panelsToDivideIn(round, sewn))
 			if (const std::vector<int> triangles = planned_.surface.trianglesOf(panel);
 				sewn.overlaps.count(panel) == 0 && triangles.size() > 1 &&
 				divideInTwo(planned_, options_, panel)) {
@@ -233,13 +244,13 @@ SewnPanels PanelPlan::withDarts(SewnPanels sewn) {
 		.relieved(std::move(sewn));
 }
 
-SewnPanels PanelPlan::smoothSeams() {
+SewnPanels PanelPlan::smoothSeams(SeamDrawing::Manner smoothest) {
 	const SewingSteps steps{[this] { return sewTogether(true); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), false); },
 							[this](SewnPanels sewn) { return relieved(std::move(sewn), true); },
 							[this] { return !tests_->stopped() && mayTry(); }};
 	SeamSmoothing drawings(planned_, clusters_, dartTips_, options_, mirror_, steps);
-	const SewnPanels drawn = drawings.run();
+	const SewnPanels drawn = drawings.run(smoothest);
 	lessSmooth_.emplace(drawings.safest());
 	SewnPanels sewn = confirmed(drawn);
 	if (worstOf(drawn) >= 0 || worstOf(sewn) < 0 || tests_->stopped())
@@ -288,6 +299,16 @@ bool PanelPlan::takeOver(const std::vector<PlannedSurface>& found) {
 	planned_ = found.front();
 	sewn_ = std::move(first);
 	return false;
+}
+
+bool PanelPlan::takeOver(CarriedPanels found) {
+	planned_ = std::move(found.planned);
+	clusters_ = std::move(found.clusters);
+	workOnTriesPerTriangle_ = 1.2e4; // there are no other tries
+	sewn_ = smoothSeams(SeamDrawing::Manner::Taut);
+	if (worstOf(sewn_) >= 0)
+		sewn_ = divideUntilAllHold();
+	return finish();
 }
 
 void PanelPlan::divide() {

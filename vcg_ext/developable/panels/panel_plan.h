@@ -8,7 +8,9 @@
 #include "panel_joining.h"
 #include "panel_sewing.h"
 #include "planned_surface.h"
+#include "seam_drawing.h"
 #include "sharp_features.h"
+#include "thinned_patches.h"
 
 #include <functional>
 #include <memory>
@@ -53,6 +55,11 @@ public:
 	/// \return       whether they hold here, too
 	bool takeOver(const std::vector<PlannedSurface>& found);
 
+	/// Takes over panels that were found on another copy of the patches with fewer triangles; seams are drawn
+	/// anew, and what does not hold here is divided.
+	/// \return  whether all hold
+	bool takeOver(CarriedPanels found);
+
 	/// Divides what does not hold.
 	void divide();
 
@@ -89,13 +96,14 @@ private:
 	bool sewUntilAllHold(int rounds);
 	std::vector<char> divideFailing(PlannedSurface& before, const SewnPanels& sewn);
 	SewnPanels joinedWithDarts();
+	std::vector<int> panelsToDivideIn(int round, const SewnPanels& sewn) const;
 	SewnPanels divideUntilAllHold();
 
 	SewnPanels sewTogether(bool brief);
 	SewnPanels confirmed(SewnPanels sewn);
 	ClosingSteps closingSteps();
 	SewnExcess sewnExcess();
-	SewnPanels smoothSeams();
+	SewnPanels smoothSeams(SeamDrawing::Manner smoothest = SeamDrawing::Manner::Smooth);
 	SewnPanels relieved(SewnPanels sewn, bool darts);
 	SewnPanels withDarts(SewnPanels sewn);
 
@@ -110,6 +118,7 @@ private:
 	/// Sewing all panels together takes long: so much work at most in each stage to see whether darts help,
 	/// or closing overlaps.
 	static constexpr double workOnReliefs = 1e7, workOnClosings = 1.2e7;
+	double workOnTriesPerTriangle_ = 6e3; ///< a few runs on the surface itself
 	double reliefsLeft_ = workOnReliefs, closingsLeft_ = workOnClosings;
 	double workOnJoining_ = 0;             ///< before any were sewn together
 	std::optional<SharpFeatures> creases_; // of what is developable between them

@@ -41,6 +41,21 @@ PanelSewing::PanelSewing(const GivenPatches& given, const std::vector<double>& l
 	: given_(given), limits_(limits), options_(options), tests_(tests),
 	  preferredMove_(preferredMove(assemblePatches(given.mesh, {}), limits, options)) {}
 
+void PanelSewing::lessRoomAfter(const SewnPanels& sewn, const CutSurface& surface) {
+	constexpr double least = 0.6, leastFactor = 0.85;
+	double farthest = 1; // share of the limit
+	for (int panel = 0; panel < surface.panelCount(); ++panel)
+		if (const CutPanel& report = sewn.panels[panel]; report.reason == Reason::TooFar) {
+			const int patch = surface.assembly().patchOfTriangle[surface.trianglesOf(panel).front()];
+			farthest = std::max(farthest, report.maxDisplacement / limits_[patch]);
+		}
+	if (farthest == 1)
+		return;
+	briefRoom_ = std::max(least, briefRoom_ * std::max(leastFactor, 1 / farthest));
+	seen_.erase(std::remove_if(seen_.begin(), seen_.end(), [](const Seen& seen) { return seen.brief; }),
+				seen_.end());
+}
+
 SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	const TriangleMesh mesh = meshAsCut(planned, given_.vertexTaken);
 	Asked asked{{mesh.positions.data(), mesh.positions.data() + mesh.positions.size()},
@@ -50,12 +65,18 @@ SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 		if (seen.asked == asked && serves(seen, brief))
 			return seen.sewn;
 	work_ += workAround * mesh.triangleCount();
+	const double room = brief ? briefRoom_ : 1;
+	std::vector<double> limits = limits_;
+	for (double& limit : limits)
+		limit *= room;
 	SewnPanels sewn = developSewnPanels(
-		mesh, planned.surface, limits_, options_.material, preferredMove_, brief,
+		mesh, planned.surface, limits, options_.material, room * preferredMove_, brief,
 		[&](double, const std::string&) { return tests_.mayGoOn(0.7, "sewing the panels together"); });
 	work_ += sewn.work;
 	if (tests_.stopped())
 		return sewn;
+	if (!brief)
+		lessRoomAfter(sewn, planned.surface);
 	if (seen_.size() == mostSeen)
 		seen_.pop_front();
 	seen_.push_back({std::move(asked), brief, sewn});

@@ -30,6 +30,10 @@ public:
 	double work() const { return work_; }
 
 private:
+	/// On finer levels detail takes room: where a run on the surface itself comes too far, brief ones have
+	/// less of it from then on.
+	void lessRoomAfter(const SewnPanels& sewn, const CutSurface& surface);
+
 	/// What the outcome depends on.
 	struct Asked {
 		std::vector<double> positions;
@@ -52,6 +56,7 @@ private:
 	const CutOptions options_;
 	PanelTests& tests_;
 	double preferredMove_; // of a run, share of the diagonal
+	double briefRoom_ = 1; // share of the limits that brief runs have
 	double work_ = 0;
 	std::deque<Seen> seen_;
 };

@@ -17,7 +17,7 @@ bool SeamSmoothing::holds(const SewnPanels& sewn) const {
 	return planned_.surface.usedPanelCount() <= before_.surface.usedPanelCount() && worstOf(sewn) < 0;
 }
 
-SewnPanels SeamSmoothing::run() {
+SewnPanels SeamSmoothing::run(SeamDrawing::Manner smoothest) {
 	constexpr int rounds = 4;
 	planned_ = taut_.drawn(); // it is not taut yet: what moves seams least
 	SewnPanels sewn = steps_.relieve(steps_.sew());
@@ -27,7 +27,8 @@ SewnPanels SeamSmoothing::run() {
 	taut_.draw(SeamDrawing::Manner::Taut);
 	smooth_.draw(SeamDrawing::Manner::Smooth);
 	const bool taut = tryDrawing(taut_, 1, sewn);
-	if (!tryDrawing(smooth_, rounds, sewn) && !taut)
+	const bool smooth = smoothest == SeamDrawing::Manner::Smooth && tryDrawing(smooth_, rounds, sewn);
+	if (!smooth && !taut)
 		tryDrawing(taut_, rounds - 1, sewn); // it is less taut by now where it failed
 	return sewn;
 }

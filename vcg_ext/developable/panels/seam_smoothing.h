@@ -29,8 +29,9 @@ public:
 				  const MirrorPlane* mirror, SewingSteps steps);
 	SeamSmoothing(const SeamSmoothing&) = delete;
 
-	/// \return what becomes of the panels
-	SewnPanels run();
+	/// \param smoothest  Smooth or Taut: what is drawn at most
+	/// \return           what becomes of the panels
+	SewnPanels run(SeamDrawing::Manner smoothest = SeamDrawing::Manner::Smooth);
 
 	/// The seams that were moved least of those that hold.
 	const PlannedSurface& safest() const { return safest_; }

@@ -14,6 +14,9 @@ namespace developable::detail {
 
 namespace {
 
+/// Of more places a coarse level has so many, or seams would be all that is left of its panels.
+constexpr int manyPlaces = 6000, placesOfMany = 2500;
+
 /// A panel without a border can't be made developable. \return whether there is any
 bool markClosed(const PatchAssembly& assembly, const CutSurface& surface, SewnPanels& result) {
 	bool any = false;
@@ -181,7 +184,9 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 					 ConstrainedNewtonOptions options, const std::vector<double>& limits, SewnPanels& result,
 					 const Progress& progress) {
 	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
-	const PartialAssembly coarse = coarserLevel(assembly, options.tuning.coarsestTogether);
+	const bool large = assembly.placeCount() > manyPlaces;
+	const PartialAssembly coarse =
+		coarserLevel(assembly, large ? placesOfMany : options.tuning.coarsestTogether);
 	std::vector<int> panelOfCoarsePatch;
 	for (const int patch : coarse.wholePatch)
 		panelOfCoarsePatch.push_back(panelOfPatch[patch]);

@@ -43,6 +43,22 @@ void openUnlessHoles(CutSurface& surface, std::vector<SeamChain> chains,
 	} while (chains.size() < before);
 }
 
+/// The parts of a chain along which something is the same.
+template <class Property>
+std::vector<SeamChain> runsAlike(const CutSurface& surface, const SeamChain& chain,
+								 const Property& propertyAt) {
+	std::vector<SeamChain> runs;
+	for (const int h : chain.halfEdges) {
+		if (runs.empty() || propertyAt(h) != propertyAt(runs.back().halfEdges.front())) {
+			runs.emplace_back();
+			runs.back().panels = chain.panels;
+		}
+		runs.back().halfEdges.push_back(h);
+		runs.back().length += surface.length(h);
+	}
+	return runs;
+}
+
 } // namespace
 
 SlitLabels::SlitLabels(const CutSurface& surface, const std::vector<int>& clusters) : surface_(surface) {
@@ -64,15 +80,42 @@ SlitLabels::SlitLabels(const CutSurface& surface, const std::vector<int>& cluste
 	}
 }
 
+/// Where two labels of one panel meet, openly and cut: middles of edges.
+struct SlitLabels::Meeting {
+	std::vector<Eigen::Vector3d> open, cut;
+};
+
+SlitLabels::Meetings SlitLabels::meetings() const {
+	Meetings result;
+	for (int h = 0; h < 3 * surface_.assembly().triangleCount(); ++h) {
+		const int across = surface_.assembly().across(h);
+		if (across < 0)
+			continue;
+		const int a = labels_[triangleOf(h)], b = labels_[triangleOf(across)];
+		if (a == b || panelOfLabel_[a] != panelOfLabel_[b])
+			continue;
+		Meeting& meeting = result[std::minmax(a, b)];
+		(surface_.isCut(h) ? meeting.cut : meeting.open).push_back(surface_.middleOf(h));
+	}
+	return result;
+}
+
 void SlitLabels::openWithin(CutSurface& other, const std::vector<int>& labels) const {
 	std::vector<SeamChain> open, unknown, cut;
+	const Meetings meetings = this->meetings();
 	for (const SeamChain& chain : seamChains(other)) {
 		const int a = labels[triangleOf(chain.halfEdges.front())];
 		const int b = labels[triangleOf(other.assembly().across(chain.halfEdges.front()))];
 		if (panelOfLabel_[a] != panelOfLabel_[b])
 			continue;
-		const Evidence evidence = wasOpen(other, chain, a, b);
-		(evidence == Evidence::Open ? open : evidence == Evidence::Cut ? cut : unknown).push_back(chain);
+		const auto meeting = meetings.find(std::minmax(a, b));
+		const auto evidenceAt = [&](int h) {
+			return meeting == meetings.end() ? Evidence::None : evidence(meeting->second, other.middleOf(h));
+		};
+		for (const SeamChain& run : runsAlike(other, chain, evidenceAt)) {
+			const Evidence evidence = evidenceAt(run.halfEdges.front());
+			(evidence == Evidence::Open ? open : evidence == Evidence::Cut ? cut : unknown).push_back(run);
+		}
 	}
 	const auto isBetweenTwo = [&](const SeamChain& chain) {
 		const int h = chain.halfEdges.front();
@@ -89,20 +132,14 @@ void SlitLabels::openWithin(CutSurface& other, const std::vector<int>& labels) c
 			slitHoles(other, panel, eulerAt(other.trianglesOf(panel).front()));
 }
 
-SlitLabels::Evidence SlitLabels::wasOpen(const CutSurface& other, const SeamChain& chain, int a,
-										 int b) const {
-	const Eigen::Vector3d at = other.middleOf(chain.halfEdges[chain.halfEdges.size() / 2]);
-	double toOpen = std::numeric_limits<double>::infinity(), toCut = toOpen;
-	for (int h = 0; h < 3 * surface_.assembly().triangleCount(); ++h) {
-		const int across = surface_.assembly().across(h);
-		if (across < 0 || labels_[triangleOf(h)] != a || labels_[triangleOf(across)] != b)
-			continue;
-		double& nearest = surface_.isCut(h) ? toCut : toOpen;
-		nearest = std::min(nearest, (surface_.middleOf(h) - at).norm());
-	}
-	if (std::isinf(toOpen) && std::isinf(toCut))
-		return Evidence::None;
-	return toOpen <= toCut ? Evidence::Open : Evidence::Cut;
+SlitLabels::Evidence SlitLabels::evidence(const Meeting& meeting, const Eigen::Vector3d& at) {
+	const auto distanceTo = [&](const std::vector<Eigen::Vector3d>& middles) {
+		double nearest = std::numeric_limits<double>::infinity();
+		for (const Eigen::Vector3d& middle : middles)
+			nearest = std::min(nearest, (middle - at).norm());
+		return nearest;
+	};
+	return distanceTo(meeting.open) <= distanceTo(meeting.cut) ? Evidence::Open : Evidence::Cut;
 }
 
 } // namespace developable::detail

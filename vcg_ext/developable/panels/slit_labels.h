@@ -4,6 +4,9 @@
 
 #include "seam_chains.h"
 
+#include <map>
+#include <utility>
+
 namespace developable::detail {
 
 /// A panel that has a slit or a dart is told by the clusters that it was joined from, any other by itself.
@@ -23,10 +26,12 @@ public:
 
 private:
 	enum class Evidence { Open, Cut, None };
+	struct Meeting;
+	using Meetings = std::map<std::pair<int, int>, Meeting>; // by two labels, ascending
 
-	/// Whether it is nearer to where two labels met openly or to where they were cut; none when they did not
-	/// meet.
-	Evidence wasOpen(const CutSurface& other, const SeamChain& chain, int a, int b) const;
+	Meetings meetings() const;
+	/// Whether a point is nearer to where two labels met openly or to where they were cut.
+	static Evidence evidence(const Meeting& meeting, const Eigen::Vector3d& at);
 
 	const CutSurface& surface_;
 	std::vector<int> labels_;
