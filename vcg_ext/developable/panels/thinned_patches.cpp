@@ -6,7 +6,7 @@
 #include "selected_whole.h"
 #include "slit_labels.h"
 
-#include "developable/newton/coarser_level.h"
+#include "developable/newton/constrained_newton.h"
 
 #include <algorithm>
 #include <numeric>
