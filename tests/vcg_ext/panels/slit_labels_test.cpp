@@ -82,7 +82,8 @@ TEST(SlitLabels, aPanelWhoseTwoEndsMeetGetsASlit) {
 	std::vector<int> half = whole;
 	for (int t = 0; t < mesh.triangleCount(); ++t)
 		half[t] = whole[t] && mesh.positions(2, mesh.triangles(0, t)) < 1;
-	const SlitLabels labels(withPanels(mesh, whole), whole);
+	const CutSurface surface = withPanels(mesh, whole);
+	const SlitLabels labels(surface, whole);
 	CutSurface other = withPanels(mesh, half);
 	ASSERT_EQ(detail::eulerCharacteristic(other, other.panelOf(mesh.triangleCount() - 1)), 0);
 	labels.openWithin(other, half);

@@ -14,6 +14,7 @@ namespace developable::detail {
 /// were not there are opened again.
 class SlitLabels {
 public:
+	/// \param surface   outlives this
 	/// \param clusters  per triangle; both sides of any cut differ
 	SlitLabels(const CutSurface& surface, const std::vector<int>& clusters);
 
