@@ -20,6 +20,12 @@ bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape, double bound
 	return more.maxCoeff() > 0;
 }
 
+/// Places; panels that pull at each other are kept from going far by nothing else.
+int mostToReturn(const NewtonProblem& problem) {
+	const NewtonTuning& tuning = problem.tuning();
+	return problem.assembly().patchCount() > 1 ? tuning.returnPlacesTogether : tuning.returnPlaces;
+}
+
 } // namespace
 
 bool goBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
@@ -72,12 +78,6 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 			return ending;
 	}
 	return Ending::Stuck;
-}
-
-/// Places; panels that pull at each other are kept from going far by nothing else.
-static int mostToReturn(const NewtonProblem& problem) {
-	const NewtonTuning& tuning = problem.tuning();
-	return problem.assembly().patchCount() > 1 ? tuning.returnPlacesTogether : tuning.returnPlaces;
 }
 
 bool isSmallEnoughToReturn(const NewtonProblem& problem) {

@@ -8,7 +8,6 @@
 
 #include "developable/newton/constrained_newton.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace developable::detail {
