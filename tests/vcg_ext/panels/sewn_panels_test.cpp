@@ -170,6 +170,21 @@ TEST(SewnPanels, oneIsDividedAtATimeUnlessEachFailsForItself) {
 	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({2, 1}));
 }
 
+TEST(SewnPanels, onlyOverlapWhereNothingElseIsWrong) {
+	SewnPanels sewn = holdingPanels(3);
+	EXPECT_FALSE(onlyOverlap(sewn)); // none fails
+	sewn.panels[1].developable = false;
+	sewn.panels[1].reason = Reason::NeedsCut;
+	EXPECT_TRUE(onlyOverlap(sewn));
+	sewn.panels[2].developable = false;
+	sewn.panels[2].reason = Reason::TooFar;
+	sewn.panels[2].maxDisplacement = 1;
+	EXPECT_FALSE(onlyOverlap(sewn));
+	sewn.panels[2].reason = Reason::NeedsCut;
+	sewn.panels[2].curvatureAfter = 1;
+	EXPECT_FALSE(onlyOverlap(sewn));
+}
+
 /// Limits by default are of the smallest box, and what is preferred has to be the same however a surface is
 /// turned: panels that hold end within the limit of any.
 TEST(CutIntoPanels, keepsTheDefaultLimitOfTheSmallestBoxWhereverItLies) {

@@ -8,9 +8,29 @@
 
 namespace developable::detail {
 
-/// What is too small goes to a neighbour, or takes from one, if all hold then.
+/// What is too small goes to a neighbour, or takes from one, if all hold then. Whole runs take long: one
+/// shows whether all that holds briefly does, and where it does not, some more do so one by one.
 void PanelPlan::absorbSmallPanels() {
-	int tries = 8; // of sewing all together
+	constexpr int briefTries = 8, wholeTries = 2;
+	if (!confirms_ || smallPanels(planned_.surface).empty() || worstOf(sewn_) >= 0) {
+		absorbEach(briefTries);
+		return;
+	}
+	const PlannedSurface before = planned_;
+	const SewnPanels sewn = sewn_;
+	confirms_ = false;
+	absorbEach(briefTries);
+	confirms_ = true;
+	sewn_ = sewTogether(false);
+	if (worstOf(sewn_) < 0 || tests_->stopped())
+		return;
+	planned_ = before;
+	sewn_ = sewn;
+	absorbEach(wholeTries);
+}
+
+/// \param tries  of sewing all together
+void PanelPlan::absorbEach(int tries) {
 	for (const int panel : smallPanels(planned_.surface)) {
 		bool done = worstOf(sewn_) >= 0;
 		for (const int neighbour : neighboursOf(planned_.surface, panel))
@@ -32,7 +52,7 @@ bool PanelPlan::absorb(int panel, int neighbour) {
 bool PanelPlan::keepIfAllHold(CutSurface changed) {
 	std::swap(planned_.surface, changed);
 	SewnPanels sewn = sewTogether(true);
-	if (worstOf(sewn) < 0 && sewn.provisional)
+	if (confirms_ && worstOf(sewn) < 0 && sewn.provisional)
 		sewn = sewTogether(false);
 	const bool holds = worstOf(sewn) < 0;
 	if (holds)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -21,6 +22,12 @@ namespace {
 constexpr double littleWork = 6e6; ///< see WorkBudget: some seconds
 constexpr double muchWork = 5e7;   ///< see WorkBudget: a minute or two
 constexpr int mostSearches = 2;    ///< of those that take longer
+/// Of the panels that were joined first so many may not hold when they are sewn together: others can be
+/// mended. Where more do not, as on shapes with limbs and fine detail, panels pull at each other all over.
+constexpr int fewFailures = 2;
+constexpr double littleCurvature =
+	3 * 4 * pi; ///< inside panels, rad: as much as three closed convex shapes have
+constexpr double shareOfFirst = 0.1, shareOfJoining = 0.7; ///< of the time of a search
 /// Where there are more triangles, panels are looked for on fewer, with so many places, which move by less:
 /// the detail that these have not takes room, too.
 constexpr int mostTriangles = 8000, placesOfThinned = 2500;
@@ -32,6 +39,10 @@ bool isBetter(const FoundPanels& a, const FoundPanels& b) {
 	if (a.hold != b.hold)
 		return a.hold;
 	return panels != otherPanels ? panels < otherPanels : seamLength(first) < seamLength(second);
+}
+
+int failuresOf(const SewnPanels& sewn) {
+	return static_cast<int>(worstFirst(sewn).size());
 }
 
 FoundPanels foundBy(const PanelPlan& plan, bool hold) {
@@ -77,14 +88,33 @@ public:
 	/// The finer clusters are, the more there is to do.
 	Task joining() {
 		return {double(surface().usedPanelCount()), [this](const Progress& ofTask) {
-					const Progress ofWhole = std::exchange(progress_, ofTask);
-					plan_.join();
+					withProgress(ofTask, [this] { plan_.join(); });
 					joined_ = true;
-					progress_ = ofWhole;
 				}};
 	}
 
+	/// Joins greedily. \return whether few panels fail then, or there is little curvature to be rid of
+	bool holdsNearly(const Progress& progress) {
+		SewnPanels sewn;
+		withProgress(progress, [&] {
+			plan_.joinGreedily();
+			if (!plan_.stopped())
+				sewn = plan_.sewnAtFirst();
+		});
+		double curvature = 0;
+		for (const CutPanel& panel : sewn.panels)
+			curvature += panel.curvatureBefore;
+		return failuresOf(sewn) <= fewFailures || curvature <= littleCurvature;
+	}
+
 private:
+	template <class Work>
+	void withProgress(const Progress& progress, const Work& work) {
+		const Progress ofWhole = std::exchange(progress_, progress);
+		work();
+		progress_ = ofWhole;
+	}
+
 	Progress progress_; ///< of what goes on now
 	PanelPlan plan_;
 	bool joined_ = false;
@@ -109,27 +139,33 @@ std::vector<double> clusterDeviations(const GivenPatches& patches, const CutOpti
 	return {0.15, 0.25, 0.35};
 }
 
-/// All joined, side by side, the most promising first: sewing takes longer than joining, and seldom changes
-/// which is best.
-Starts joinedStarts(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
-					const Progress& progress) {
-	constexpr double shareOfJoining = 0.7;
+/// Clusters of several sizes, the finest first.
+/// \param holdNearly  becomes whether panels do that are joined of the first: else there are no others
+Starts newStarts(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
+				 bool& holdNearly, const Progress& progress) {
 	Starts starts;
 	std::set<std::vector<int>> begun; // what begins alike ends alike
-	std::vector<Task> tasks;
 	for (const double deviation : clusterDeviations(patches, options)) {
 		auto start = std::make_unique<Start>(patches, limits, options, progress);
 		if (begun.insert(start->plan().cluster(deviation)).second || start->plan().stopped())
 			starts.push_back(std::move(start));
-		if (starts.back()->plan().stopped())
-			return starts;
+		if (starts.size() == 1 && !options.material.bounds.any() && !starts.back()->plan().stopped())
+			holdNearly = starts.back()->holdsNearly(partOf(progress, 0, shareOfFirst));
+		if (starts.back()->plan().stopped() || !holdNearly)
+			break;
 	}
+	return starts;
+}
+
+/// All joined, side by side, the most promising first: sewing takes longer than joining, and seldom changes
+/// which is best.
+void join(Starts& starts, const Progress& progress) {
+	std::vector<Task> tasks;
 	for (const std::unique_ptr<Start>& start : starts)
 		tasks.push_back(start->joining());
-	runTasks(tasks, 0, partOf(progress, 0, shareOfJoining));
+	runTasks(tasks, 0, partOf(progress, shareOfFirst, shareOfJoining));
 	std::stable_sort(starts.begin(), starts.end(),
 					 [](const auto& a, const auto& b) { return price(a->surface()) < price(b->surface()); });
-	return starts;
 }
 
 /// Whether panels that are yet to be sewn may come to more than what was found.
@@ -150,10 +186,27 @@ std::optional<FoundPanels> findStillPanels(const GivenPatches& patches, const st
 	return {};
 }
 
+FoundPanels searchInStages(const GivenPatches& patches, const std::vector<double>& limits,
+						   const CutOptions& options, bool confirmed, const Progress& progress) {
+	PanelPlan plan(patches, limits, options, progress);
+	if (!confirmed)
+		plan.trustBriefRuns();
+	plan.cluster(clusterDeviations(patches, options).front());
+	const bool hold = !plan.stopped() && plan.searchInStages();
+	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
+}
+
 /// From clusters on.
+/// \param confirmed  what is found should also hold as the user will have it
 FoundPanels search(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
-				   const Progress& progress) {
-	const Starts starts = joinedStarts(patches, limits, options, progress);
+				   bool confirmed, const Progress& progress) {
+	bool holdNearly = true;
+	Starts starts = newStarts(patches, limits, options, holdNearly, progress);
+	if (!holdNearly)
+		return searchInStages(patches, limits, options, confirmed, partOf(progress, shareOfFirst, 1));
+	if (starts.back()->plan().stopped())
+		return stoppedPanels();
+	join(starts, progress);
 	std::optional<FoundPanels> found;
 	double work = 0;
 	for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -177,6 +230,22 @@ FoundPanels search(const GivenPatches& patches, const std::vector<double>& limit
 	return std::move(*found);
 }
 
+/// The first of which nearly all hold on what was given, too, else those of which most do.
+void takeOverBest(PanelPlan& plan, const ThinnedPatches& thinned, const FoundPanels& found,
+				  const CutOptions& options) {
+	std::optional<CarriedPanels> best;
+	int leastFailures = std::numeric_limits<int>::max();
+	for (std::size_t i = 0; i < found.planned.size() && leastFailures > fewFailures && !plan.stopped(); ++i) {
+		CarriedPanels carried = thinned.carriedBack(found.planned[i], options);
+		const int failures = failuresOf(plan.takeOver(carried));
+		if (failures < leastFailures)
+			best = std::move(carried);
+		leastFailures = std::min(failures, leastFailures);
+	}
+	if (best)
+		plan.takeOver(*best);
+}
+
 /// Where panels are is found with fewer triangles.
 FoundPanels searchThinned(const GivenPatches& patches, const std::vector<double>& limits,
 						  const CutOptions& options, const Progress& progress) {
@@ -186,11 +255,12 @@ FoundPanels searchThinned(const GivenPatches& patches, const std::vector<double>
 	for (double& limit : thinnedLimits)
 		limit *= roomOfThinned;
 	const FoundPanels found =
-		search(thinned.patches(), thinnedLimits, options, partOf(progress, 0, shareOfSearch));
+		search(thinned.patches(), thinnedLimits, options, false, partOf(progress, 0, shareOfSearch));
 	if (found.stopped)
 		return stoppedPanels();
 	PanelPlan plan(patches, limits, options, partOf(progress, shareOfSearch, 1));
-	const bool hold = plan.takeOver(thinned.carriedBack(found.planned.front(), options));
+	takeOverBest(plan, thinned, found, options);
+	const bool hold = !plan.stopped() && plan.finishTakenOver();
 	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
 }
 
@@ -200,8 +270,9 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 					   const CutOptions& options, const Progress& progress) {
 	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, nullptr, progress))
 		return std::move(*still);
-	const bool many = patches.mesh.triangleCount() > mostTriangles;
-	return (many ? searchThinned : search)(patches, limits, options, progress);
+	if (patches.mesh.triangleCount() > mostTriangles)
+		return searchThinned(patches, limits, options, progress);
+	return search(patches, limits, options, true, progress);
 }
 
 FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,

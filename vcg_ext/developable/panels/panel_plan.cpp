@@ -45,7 +45,8 @@ SewnPanels PanelPlan::sewTogether(bool brief) {
 /// does not, as far as it holds briefly with these, too.
 SewnPanels PanelPlan::confirmed(SewnPanels sewn) {
 	constexpr int attempts = 3;
-	for (int attempt = 1; sewn.provisional && worstOf(sewn) < 0 && !tests_->stopped(); ++attempt) {
+	for (int attempt = 1; confirms_ && sewn.provisional && worstOf(sewn) < 0 && !tests_->stopped();
+		 ++attempt) {
 		sewn = sewTogether(false);
 		if (attempt < attempts)
 			sewn = relieved(std::move(sewn), true);
@@ -84,13 +85,15 @@ std::vector<int> PanelPlan::panelsToDivideIn(int round, const SewnPanels& sewn) 
 	return panels;
 }
 
-/// Divides in two what does not hold together, where darts do not help.
+/// Divides in two what does not hold together, where darts do not help. What only overlaps as the user would
+/// have it may do so elsewhere when it is seen briefly: then it is not.
 SewnPanels PanelPlan::divideUntilAllHold() {
 	constexpr int rounds = 20;
 	reliefsLeft_ = workOnReliefs;
 	closingsLeft_ = workOnClosings;
 	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
 	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
+		const bool nearlyWhole = !sewn.provisional && onlyOverlap(sewn);
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
 		for (const int panel : panelsToDivideIn(round, sewn))
 			if (const std::vector<int> triangles = planned_.surface.trianglesOf(panel);
@@ -102,7 +105,7 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 		if (!any)
 			break;
 		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
-		sewn = confirmed(relieved(sewTogether(true), true));
+		sewn = nearlyWhole ? sewTogether(false) : confirmed(relieved(sewTogether(true), true));
 	}
 	return sewn;
 }
@@ -126,10 +129,25 @@ bool PanelPlan::mayJoinOn() const {
 	return tests_->work() < mostWork;
 }
 
-void PanelPlan::join() {
+void PanelPlan::joinGreedily() {
 	joinBetween(sharpFeatures(planned_.surface, options_.creaseAngle));
 	joinPanels(planned_.surface, *tests_, history_, [this](const SeamChain&) { return mayJoinOn(); });
 	joinedGreedily_ = planned_;
+}
+
+SewnPanels PanelPlan::sewnAtFirst() {
+	const PlannedSurface joined = planned_;
+	planned_ = SeamDrawing(joined, clusters_, dartTips_, options_,
+						   sharpFeatures(joined.surface, options_.creaseAngle))
+				   .drawn();
+	SewnPanels sewn = sewTogether(true);
+	planned_ = joined;
+	return sewn;
+}
+
+void PanelPlan::join() {
+	if (!joinedGreedily_)
+		joinGreedily();
 	dissolvePanels(planned_.surface, clusters_, *tests_, history_);
 	if (options_.darts && options_.splitTriangles)
 		joinWithRelief(planned_.surface, *tests_, history_, dartTips_, keptTriangles(planned_, options_));
@@ -155,7 +173,7 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 	closingsLeft_ = workOnClosings;
 	std::vector<char> mayJoin(clusters_.size(), 0);
 	for (int round = 1; !tests_->stopped(); ++round) {
-		tests_->scaleLimits(std::pow(tighter, round - 1));
+		tests_->scaleLimits(room_ * std::pow(tighter, round - 1));
 		joinPanels(planned_.surface, *tests_, history_, [&](const SeamChain& chain) {
 			const int h = chain.halfEdges.front();
 			return mayTry() &&
@@ -170,8 +188,10 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 		const std::vector<Eigen::Vector3d> dartTips = dartTips_;
 		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
 		const SewnPanels sewn = smoothSeams();
-		if (worstOf(sewn) < 0)
+		if (worstOf(sewn) < 0) {
+			held_ = {planned_, joined, dartTips_};
 			return true;
+		}
 		PlannedSurface divided = joined;
 		mayJoin = divideFailing(divided, sewn);
 		if (round == rounds || tests_->stopped() || mayJoin.empty() || !mayTry())
@@ -283,6 +303,7 @@ std::vector<PlannedSurface> PanelPlan::found() const {
 	std::vector<PlannedSurface> all = {planned_};
 	if (worstOf(sewn_) < 0 && lessSmooth_)
 		all.push_back(*lessSmooth_);
+	all.insert(all.end(), earlier_.begin(), earlier_.end());
 	return all;
 }
 
@@ -301,9 +322,13 @@ bool PanelPlan::takeOver(const std::vector<PlannedSurface>& found) {
 	return false;
 }
 
-bool PanelPlan::takeOver(CarriedPanels found) {
-	planned_ = std::move(found.planned);
-	clusters_ = std::move(found.clusters);
+SewnPanels PanelPlan::takeOver(const CarriedPanels& found) {
+	planned_ = found.planned;
+	clusters_ = found.clusters;
+	return sewnAtFirst();
+}
+
+bool PanelPlan::finishTakenOver() {
 	workOnTriesPerTriangle_ = 1.2e4; // there are no other tries
 	sewn_ = smoothSeams(SeamDrawing::Manner::Taut);
 	if (worstOf(sewn_) >= 0)

@@ -27,18 +27,29 @@ public:
 	PanelPlan(const GivenPatches& given, const std::vector<double>& limits, const CutOptions& options,
 			  const Progress& progress);
 
+	/// What holds briefly counts: it will be sewn together elsewhere.
+	void trustBriefRuns() { confirms_ = false; }
+
 	/// Makes the clusters that joining begins with.
 	/// \param deviation  as in ClusterOptions: how coarse they are
 	/// \return           per triangle
 	const std::vector<int>& cluster(double deviation);
 
-	/// Joins clusters to panels that hold by themselves.
+	/// Joins clusters to panels that hold by themselves, as long as that goes.
+	void joinGreedily();
+	/// What becomes of them when they are sewn together, seen briefly, with the safest of seams.
+	SewnPanels sewnAtFirst();
+	/// Joins clusters greedily, unless that is done, and then to fewer panels.
 	void join();
 
 	/// Finds panels that hold when they are sewn together, after these were joined.
 	/// \param isPromising  asked before all are sewn together: where it says no the search is given up
 	/// \return             whether all hold
 	bool search(std::function<bool(const CutSurface&)> isPromising = {});
+
+	/// The same from clusters on, without join(): panels get more room from stage to stage, and at the end of
+	/// each all hold sewn together. What one stage can't do any more is what the one before came to.
+	bool searchInStages();
 
 	/// Panels whose seams lie on sharp edges of a surface that is developable between these: nothing moves,
 	/// or hardly. \return whether there are such panels, and all hold
@@ -55,10 +66,11 @@ public:
 	/// \return       whether they hold here, too
 	bool takeOver(const std::vector<PlannedSurface>& found);
 
-	/// Takes over panels that were found on another copy of the patches with fewer triangles; seams are drawn
-	/// anew, and what does not hold here is divided.
-	/// \return  whether all hold
-	bool takeOver(CarriedPanels found);
+	/// Takes over panels that were found on another copy of the patches with fewer triangles.
+	/// \return  see sewnAtFirst
+	SewnPanels takeOver(const CarriedPanels& found);
+	/// Draws their seams anew, and divides what does not hold here. \return whether all hold
+	bool finishTakenOver();
 
 	/// Divides what does not hold.
 	void divide();
@@ -71,7 +83,8 @@ public:
 
 	const PlannedSurface& planned() const { return planned_; }
 	const SewnPanels& sewn() const { return sewn_; }
-	/// What was found, and the same with seams that are less smooth, which holds just as well.
+	/// What was found, the same with seams that are less smooth, which holds just as well, and what had more
+	/// panels and held before.
 	std::vector<PlannedSurface> found() const;
 	bool stopped() const { return tests_->stopped(); }
 	/// What testing and sewing took, in units of WorkBudget.
@@ -90,7 +103,10 @@ private:
 	bool mayTry() const;
 	bool isPromising() const { return !isPromising_ || isPromising_(planned_.surface); }
 	void sewJoined();
+	bool joinWithRoom(double room);
+	void joinHeldWithDarts();
 	void absorbSmallPanels();
+	void absorbEach(int tries);
 	bool absorb(int panel, int neighbour);
 	bool keepIfAllHold(CutSurface changed);
 	bool sewUntilAllHold(int rounds);
@@ -112,6 +128,13 @@ private:
 	PlannedSurface planned_;
 	SewnPanels sewn_; // what becomes of it
 	std::optional<PlannedSurface> joinedGreedily_, lessSmooth_;
+	/// Panels that held, with the seams that were drawn and before.
+	struct Held {
+		PlannedSurface drawn, undrawn;
+		std::vector<Eigen::Vector3d> dartTips;
+	};
+	std::optional<Held> held_;            // last
+	std::vector<PlannedSurface> earlier_; // what stages before the last came to, the last of these first
 	std::unique_ptr<PanelTests> tests_;
 	std::unique_ptr<PanelSewing> sewing_;
 	std::vector<int> clusters_; // per triangle, before any were joined
@@ -120,6 +143,8 @@ private:
 	static constexpr double workOnReliefs = 1e7, workOnClosings = 1.2e7;
 	double workOnTriesPerTriangle_ = 6e3; ///< a few runs on the surface itself
 	double reliefsLeft_ = workOnReliefs, closingsLeft_ = workOnClosings;
+	bool confirms_ = true;                 ///< by whole runs
+	double room_ = 1;                      ///< that panels have when they are joined, beside the most
 	double workOnJoining_ = 0;             ///< before any were sewn together
 	std::optional<SharpFeatures> creases_; // of what is developable between them
 	const MirrorPlane* mirror_ = nullptr;

@@ -271,6 +271,12 @@ std::vector<int> panelsToDivide(const SewnPanels& sewn) {
 							  [&](int a, int b) { return badness(a) < badness(b); })};
 }
 
+bool onlyOverlap(const SewnPanels& sewn) {
+	const std::vector<int> failing = worstFirst(sewn);
+	return !failing.empty() && std::all_of(failing.begin(), failing.end(),
+										   [&](int panel) { return overlaps(sewn.panels[panel]); });
+}
+
 int worstOf(const SewnPanels& sewn) {
 	const std::vector<int> panels = worstFirst(sewn);
 	return panels.empty() ? -1 : panels.front();

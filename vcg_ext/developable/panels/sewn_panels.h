@@ -47,6 +47,9 @@ std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn);
 /// Whether it is developable, but overlaps itself when laid flat.
 bool overlaps(const CutPanel& panel);
 
+/// Whether some panels do not hold, and all of these overlap themselves.
+bool onlyOverlap(const SewnPanels& sewn);
+
 /// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
 bool wantsDart(const CutPanel& panel);
 
