@@ -41,6 +41,25 @@ TEST(PanelPlan, dividesTheFirstWhereNoneHold) {
 	EXPECT_EQ(plan.result().report.status, Status::Converged);
 }
 
+/// More than one turn of a nearly flat ring: developable with hardly a move, but not laid flat in one piece.
+TEST(PanelPlan, dividesWhatOnlyOverlapsItself) {
+	const GivenPatches given = detail::separatePatches(
+		grid(45, 5,
+			 [](double u, double v) {
+				 const double angle = 2.2 * pi * u;
+				 return Eigen::Vector3d((4 + v) * std::cos(angle), (4 + v) * std::sin(angle),
+										0.5 * u + 0.02 * v * v);
+			 }),
+		{});
+	PanelPlan plan = planOf(given);
+	EXPECT_FALSE(plan.takeOver(std::vector<PlannedSurface>{inStrips(given, 1)}));
+	ASSERT_TRUE(detail::onlyOverlap(plan.sewn()));
+	EXPECT_FALSE(plan.sewn().provisional);
+	plan.divide();
+	EXPECT_EQ(plan.planned().surface.usedPanelCount(), 2);
+	EXPECT_EQ(plan.result().report.status, Status::Converged);
+}
+
 /// Nothing is sewn for what would not be taken.
 TEST(PanelPlan, givesUpWhatIsNotPromising) {
 	const GivenPatches given = detail::separatePatches(sphere(1, 3), {});

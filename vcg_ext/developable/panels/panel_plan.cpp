@@ -7,7 +7,6 @@
 #include "first_panels.h"
 #include "panel_dissolving.h"
 #include "panel_joining.h"
-#include "ring_slits.h"
 #include "seam_drawing.h"
 #include "seam_reasons.h"
 #include "seam_smoothing.h"
@@ -15,11 +14,8 @@
 #include "sewn_panels.h"
 #include "sewn_relief.h"
 #include "small_panels.h"
-#include "taken_back_joins.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace developable::detail {
@@ -70,44 +66,6 @@ SewnPanels PanelPlan::joinedWithDarts() {
 		return sewn;
 	planned_ = before;
 	return divideUntilAllHold();
-}
-
-/// Of what does not hold in a round of dividing one panel at first, as others may hold then, too; later some,
-/// in the end all of them, for it has to end.
-std::vector<int> PanelPlan::panelsToDivideIn(int round, const SewnPanels& sewn) const {
-	constexpr int roundsOfOne = 8, roundsOfSome = 14;
-	constexpr std::size_t some = 3; // of so many the worst
-	if (round < roundsOfOne && mayTry())
-		return panelsToDivide(sewn);
-	std::vector<int> panels = worstFirst(sewn);
-	if (round < roundsOfSome)
-		panels.resize((panels.size() + some - 1) / some);
-	return panels;
-}
-
-/// Divides in two what does not hold together, where darts do not help. What only overlaps as the user would
-/// have it may do so elsewhere when it is seen briefly: then it is not.
-SewnPanels PanelPlan::divideUntilAllHold() {
-	constexpr int rounds = 20;
-	reliefsLeft_ = workOnReliefs;
-	closingsLeft_ = workOnClosings;
-	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
-	for (int round = 0; round < rounds && !tests_->stopped(); ++round) {
-		const bool nearlyWhole = !sewn.provisional && onlyOverlap(sewn);
-		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
-		for (const int panel : panelsToDivideIn(round, sewn))
-			if (const std::vector<int> triangles = planned_.surface.trianglesOf(panel);
-				sewn.overlaps.count(panel) == 0 && triangles.size() > 1 &&
-				divideInTwo(planned_, options_, panel)) {
-				any = true;
-				slitPanelsOf(planned_.surface, triangles);
-			}
-		if (!any)
-			break;
-		growSmallPanels(planned_.surface, *tests_, keptTriangles(planned_, options_));
-		sewn = nearlyWhole ? sewTogether(false) : confirmed(relieved(sewTogether(true), true));
-	}
-	return sewn;
 }
 
 const std::vector<int>& PanelPlan::cluster(double deviation) {
@@ -200,35 +158,6 @@ bool PanelPlan::sewUntilAllHold(int rounds) {
 		dartTips_ = dartTips;
 	}
 	return false;
-}
-
-/// What did not hold. Where panels only overlap themselves the others stay as they are.
-/// \param before  its seams were drawn
-/// \return        per triangle whether its panel may be joined anew; empty when nothing could be divided
-std::vector<char> PanelPlan::divideFailing(PlannedSurface& before, const SewnPanels& sewn) {
-	std::vector<int> panels;
-	std::map<int, std::array<Eigen::Vector3d, 2>> overlaps;
-	for (const int panel : panelsToDivide(sewn)) {
-		const int failing = panelBefore(before, planned_, panel);
-		if (std::find(panels.begin(), panels.end(), failing) == panels.end())
-			panels.push_back(failing);
-		if (sewn.overlaps.count(panel) > 0)
-			overlaps[failing] = sewn.overlaps.at(panel);
-	}
-	std::vector<char> mayJoin(clusters_.size(), 1);
-	if (overlaps.size() < panels.size())
-		return takeBackLastJoins(before.surface, panels, history_) ? mayJoin : std::vector<char>();
-	for (std::size_t t = 0; t < mayJoin.size(); ++t)
-		mayJoin[t] = overlaps.count(before.surface.panelOf(static_cast<int>(t))) > 0;
-	if (!divideOverlapping(before.surface, overlaps, history_))
-		return {};
-	std::map<std::pair<int, int>, int> numbers; // a cluster may have been divided, too
-	for (std::size_t t = 0; t < clusters_.size(); ++t)
-		clusters_[t] = numbers
-						   .emplace(std::make_pair(clusters_[t], before.surface.panelOf(static_cast<int>(t))),
-									int(numbers.size()))
-						   .first->second;
-	return mayJoin;
 }
 
 ClosingSteps PanelPlan::closingSteps() {

@@ -111,8 +111,11 @@ private:
 	bool keepIfAllHold(CutSurface changed);
 	bool sewUntilAllHold(int rounds);
 	std::vector<char> divideFailing(PlannedSurface& before, const SewnPanels& sewn);
+	bool divideClusters(PlannedSurface& before, const std::vector<int>& panels);
 	SewnPanels joinedWithDarts();
 	std::vector<int> panelsToDivideIn(int round, const SewnPanels& sewn) const;
+	bool divideByNormals(int panel);
+	SewnPanels divideOverlapsOf(const SewnPanels& sewn);
 	SewnPanels divideUntilAllHold();
 
 	SewnPanels sewTogether(bool brief);
