@@ -64,9 +64,8 @@ TEST(StagedPlan, knowsHowManyFailAtFirst) {
 	PanelPlan plan = planOf(given);
 	const auto failuresOf = [&](int count) {
 		const std::vector<int> labels = strips(given.mesh, count);
-		return worstFirst(plan.takeOver(CarriedPanels{
-							  {given.mesh, given.origins, withPanels(given.mesh, labels)}, labels}))
-			.size();
+		plan.takeOver(CarriedPanels{{given.mesh, given.origins, withPanels(given.mesh, labels)}, labels});
+		return worstFirst(plan.sewnAtFirst()).size();
 	};
 	EXPECT_EQ(failuresOf(1), 1u);
 	EXPECT_EQ(failuresOf(9), 0u);

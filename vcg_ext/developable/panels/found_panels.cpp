@@ -24,7 +24,7 @@ constexpr double muchWork = 5e7;   ///< see WorkBudget: a minute or two
 constexpr int mostSearches = 2;    ///< of those that take longer
 /// Of the panels that were joined first so many may not hold when they are sewn together: others can be
 /// mended. Where more do not, as on shapes with limbs and fine detail, panels pull at each other all over.
-constexpr int fewFailures = 2;
+constexpr std::size_t fewFailures = 2;
 constexpr double littleCurvature =
 	3 * 4 * pi; ///< inside panels, rad: as much as three closed convex shapes have
 constexpr double shareOfFirst = 0.1, shareOfJoining = 0.7; ///< of the time of a search
@@ -39,10 +39,6 @@ bool isBetter(const FoundPanels& a, const FoundPanels& b) {
 	if (a.hold != b.hold)
 		return a.hold;
 	return panels != otherPanels ? panels < otherPanels : seamLength(first) < seamLength(second);
-}
-
-int failuresOf(const SewnPanels& sewn) {
-	return static_cast<int>(worstFirst(sewn).size());
 }
 
 FoundPanels foundBy(const PanelPlan& plan, bool hold) {
@@ -85,7 +81,7 @@ public:
 	bool stopped() const { return !joined_ || plan_.stopped(); }
 	const CutSurface& surface() const { return plan_.planned().surface; }
 
-	/// The finer clusters are, the more there is to do.
+	/// The finer clusters are, the more there is to do. What was joined greedily is not again.
 	Task joining() {
 		return {double(surface().usedPanelCount()), [this](const Progress& ofTask) {
 					withProgress(ofTask, [this] { plan_.join(); });
@@ -93,8 +89,8 @@ public:
 				}};
 	}
 
-	/// Joins greedily. \return whether few panels fail then, or there is little curvature to be rid of
-	bool holdsNearly(const Progress& progress) {
+	/// Joins greedily, and sees what that comes to.
+	void joinGreedily(const Progress& progress) {
 		SewnPanels sewn;
 		withProgress(progress, [&] {
 			plan_.joinGreedily();
@@ -104,8 +100,11 @@ public:
 		double curvature = 0;
 		for (const CutPanel& panel : sewn.panels)
 			curvature += panel.curvatureBefore;
-		return failuresOf(sewn) <= fewFailures || curvature <= littleCurvature;
+		holdsNearly_ = worstFirst(sewn).size() <= fewFailures || curvature <= littleCurvature;
 	}
+
+	/// Whether few panels fail that were joined greedily, or there is little curvature to be rid of.
+	bool holdsNearly() const { return holdsNearly_; }
 
 private:
 	template <class Work>
@@ -117,7 +116,7 @@ private:
 
 	Progress progress_; ///< of what goes on now
 	PanelPlan plan_;
-	bool joined_ = false;
+	bool joined_ = false, holdsNearly_ = true;
 };
 
 using Starts = std::vector<std::unique_ptr<Start>>;
@@ -139,19 +138,22 @@ std::vector<double> clusterDeviations(const GivenPatches& patches, const CutOpti
 	return {0.15, 0.25, 0.35};
 }
 
-/// Clusters of several sizes, the finest first.
-/// \param holdNearly  becomes whether panels do that are joined of the first: else there are no others
+/// Clusters of several sizes. Where panels that are joined of the first do not hold nearly there are no
+/// others.
 Starts newStarts(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
-				 bool& holdNearly, const Progress& progress) {
+				 const Progress& progress) {
 	Starts starts;
 	std::set<std::vector<int>> begun; // what begins alike ends alike
 	for (const double deviation : clusterDeviations(patches, options)) {
 		auto start = std::make_unique<Start>(patches, limits, options, progress);
-		if (begun.insert(start->plan().cluster(deviation)).second || start->plan().stopped())
-			starts.push_back(std::move(start));
-		if (starts.size() == 1 && !options.material.bounds.any() && !starts.back()->plan().stopped())
-			holdNearly = starts.back()->holdsNearly(partOf(progress, 0, shareOfFirst));
-		if (starts.back()->plan().stopped() || !holdNearly)
+		const bool isNew = begun.insert(start->plan().cluster(deviation)).second;
+		if (!isNew && !start->plan().stopped())
+			continue;
+		starts.push_back(std::move(start));
+		Start& last = *starts.back();
+		if (starts.size() == 1 && !options.material.bounds.any() && !last.plan().stopped())
+			last.joinGreedily(partOf(progress, 0, shareOfFirst));
+		if (last.plan().stopped() || !last.holdsNearly())
 			break;
 	}
 	return starts;
@@ -200,9 +202,8 @@ FoundPanels searchInStages(const GivenPatches& patches, const std::vector<double
 /// \param confirmed  what is found should also hold as the user will have it
 FoundPanels search(const GivenPatches& patches, const std::vector<double>& limits, const CutOptions& options,
 				   bool confirmed, const Progress& progress) {
-	bool holdNearly = true;
-	Starts starts = newStarts(patches, limits, options, holdNearly, progress);
-	if (!holdNearly)
+	Starts starts = newStarts(patches, limits, options, progress);
+	if (!starts.front()->holdsNearly())
 		return searchInStages(patches, limits, options, confirmed, partOf(progress, shareOfFirst, 1));
 	if (starts.back()->plan().stopped())
 		return stoppedPanels();
@@ -234,16 +235,17 @@ FoundPanels search(const GivenPatches& patches, const std::vector<double>& limit
 void takeOverBest(PanelPlan& plan, const ThinnedPatches& thinned, const FoundPanels& found,
 				  const CutOptions& options) {
 	std::optional<CarriedPanels> best;
-	int leastFailures = std::numeric_limits<int>::max();
+	std::size_t leastFailures = std::numeric_limits<std::size_t>::max();
 	for (std::size_t i = 0; i < found.planned.size() && leastFailures > fewFailures && !plan.stopped(); ++i) {
 		CarriedPanels carried = thinned.carriedBack(found.planned[i], options);
-		const int failures = failuresOf(plan.takeOver(carried));
+		plan.takeOver(carried);
+		const std::size_t failures = worstFirst(plan.sewnAtFirst()).size();
 		if (failures < leastFailures)
 			best = std::move(carried);
 		leastFailures = std::min(failures, leastFailures);
 	}
 	if (best)
-		plan.takeOver(*best);
+		plan.takeOver(std::move(*best));
 }
 
 /// Where panels are is found with fewer triangles.

@@ -251,10 +251,9 @@ bool PanelPlan::takeOver(const std::vector<PlannedSurface>& found) {
 	return false;
 }
 
-SewnPanels PanelPlan::takeOver(const CarriedPanels& found) {
-	planned_ = found.planned;
-	clusters_ = found.clusters;
-	return sewnAtFirst();
+void PanelPlan::takeOver(CarriedPanels found) {
+	planned_ = std::move(found.planned);
+	clusters_ = std::move(found.clusters);
 }
 
 bool PanelPlan::finishTakenOver() {

@@ -37,7 +37,8 @@ public:
 
 	/// Joins clusters to panels that hold by themselves, as long as that goes.
 	void joinGreedily();
-	/// What becomes of them when they are sewn together, seen briefly, with the safest of seams.
+	/// What becomes of panels as they are when they are sewn together, seen briefly, with the safest of
+	/// seams.
 	SewnPanels sewnAtFirst();
 	/// Joins clusters greedily, unless that is done, and then to fewer panels.
 	void join();
@@ -67,8 +68,7 @@ public:
 	bool takeOver(const std::vector<PlannedSurface>& found);
 
 	/// Takes over panels that were found on another copy of the patches with fewer triangles.
-	/// \return  see sewnAtFirst
-	SewnPanels takeOver(const CarriedPanels& found);
+	void takeOver(CarriedPanels found);
 	/// Draws their seams anew, and divides what does not hold here. \return whether all hold
 	bool finishTakenOver();
 

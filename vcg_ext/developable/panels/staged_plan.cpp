@@ -15,11 +15,8 @@ bool PanelPlan::searchInStages() {
 	constexpr double rooms[] = {0.47, 0.6, 0.75};
 	const bool confirms = std::exchange(confirms_, false);
 	for (const double room : rooms) {
-		const std::optional<Held> before = held_;
 		if (!joinWithRoom(room) || tests_->stopped())
 			break;
-		if (before)
-			earlier_.insert(earlier_.begin(), before->drawn);
 		planned_ = held_->undrawn;
 	}
 	confirms_ = confirms;
@@ -49,6 +46,8 @@ bool PanelPlan::joinWithRoom(double room) {
 		(!before || held_->drawn.surface.usedPanelCount() <= before->drawn.surface.usedPanelCount());
 	if (!holds)
 		held_ = before;
+	else if (before)
+		earlier_.insert(earlier_.begin(), before->drawn);
 	return holds;
 }
 
