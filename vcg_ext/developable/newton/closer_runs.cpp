@@ -18,8 +18,7 @@ double leastOfFarthest(Eigen::VectorXd moves, double share) {
 	return moves(index);
 }
 
-/// The largest, length.
-double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning) {
+double largestBound(const PatchAssembly& part, const NewtonTuning& tuning) {
 	return tuning.preferredMove * boxDiagonal(part.originalPositions);
 }
 
@@ -28,7 +27,7 @@ double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning) {
 template <class IsGood>
 double firstBound(const PatchAssembly& part, const NewtonTuning& tuning, const IsGood& isGood) {
 	constexpr int most = 100; // next to nothing is left then
-	double bound = preferredBound(part, tuning);
+	double bound = largestBound(part, tuning);
 	for (int step = 0; step < most && !isGood(bound); ++step)
 		bound *= tuning.closerStep;
 	return bound;
@@ -56,7 +55,7 @@ void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrateg
 	Eigen::VectorXd moves = displacementMap(part.originalPositions, outcome.positions);
 	const double few = leastOfFarthest(moves, tuning.closerPlaces);
 	double bound = firstBound(part, tuning, [&](double next) { return tuning.closerStep * next < few; });
-	const double nearEnough = tuning.closerFrom * preferredBound(part, tuning);
+	const double nearEnough = tuning.closerFrom * largestBound(part, tuning);
 	if (moves.maxCoeff() <= nearEnough || bound > tuning.closerGain * moves.maxCoeff())
 		return;
 	const double work = tuning.closerWorkPerPlace * part.placeCount();

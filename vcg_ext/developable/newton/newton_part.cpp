@@ -5,13 +5,14 @@
 #include "closer_runs.h"
 #include "displacement_metric.h"
 #include "frozen_panels.h"
+#include "other_levels.h"
 
 namespace developable::detail {
 
 namespace {
 
-/// Of the work, as far as one can tell: what all patches together take before some are frozen.
-constexpr double shareOfAllTogether = 0.7;
+/// Of the work, as far as one can tell: what all patches together take at first, and until some are frozen.
+constexpr double shareOfFirst = 0.6, shareOfAllTogether = 0.8;
 
 NewtonStrategy strategyFor(const ConstrainedNewtonOptions& options, const CurvatureGoal& goal) {
 	return {options.smoothness,    options.fairness,    goal,
@@ -21,12 +22,11 @@ NewtonStrategy strategyFor(const ConstrainedNewtonOptions& options, const Curvat
 NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStrategy& strategy,
 					const Progress& progress) {
 	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
-	const double share = mayFreeze ? shareOfAllTogether : 1;
 	const NewtonTuning& tuning = strategy.tuning();
 	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
 	const double extra = part.patchCount() > 1 ? work : tuning.preferredWorkPerPlace * part.placeCount();
 	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work, extra));
-	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, share));
+	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, mayFreeze ? shareOfFirst : 1));
 	outcome.work = strategy.budget().used();
 	if (outcome.ending == Ending::Stopped)
 		return outcome;
@@ -34,10 +34,14 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 		outcome.ending = Ending::Stuck;
 	if (!better(part, flatDefects(part, outcome.positions), flatDefects(part, start)))
 		outcome.positions = start;
+	if (outcome.ending != Ending::OutOfSteps && mayTryOtherLevels(part, tuning))
+		tryOtherLevels(part, start, strategy, outcome,
+					   partOf(progress, shareOfFirst, shareOfAllTogether, "another way: "));
 	if (outcome.ending != Ending::Stuck || !mayFreeze)
 		return outcome;
 	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work, extra));
-	const Progress progressOfOthers = partOf(progress, share, 1, "without panels that need a cut: ");
+	const Progress progressOfOthers =
+		partOf(progress, shareOfAllTogether, 1, "without panels that need a cut: ");
 	outcome = FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(std::move(outcome));
 	outcome.work += strategy.budget().used();
 	return outcome;
@@ -47,13 +51,16 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 NewtonOutcome solveWithin(const PatchAssembly& part, const Positions& start,
 						  const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
 						  const Progress& progress) {
-	constexpr double shareOfFirst = 0.7; // of the time
+	constexpr double shareBefore = 0.7; // of the time
 	const bool mayBeCloser = mayComeCloser(part, options.tuning);
 	NewtonStrategy strategy = strategyFor(options, goal);
 	strategy.prefer(boundWithin(part, options.tuning));
-	NewtonOutcome outcome = solve(part, start, strategy, partOf(progress, 0, mayBeCloser ? shareOfFirst : 1));
-	if (mayBeCloser && outcome.ending == Ending::Reached)
-		comeCloser(part, start, strategy, outcome, partOf(progress, shareOfFirst, 1, "closer: "));
+	NewtonOutcome outcome = solve(part, start, strategy, partOf(progress, 0, mayBeCloser ? shareBefore : 1));
+	// What none of other ways brought within the bound is not within a lower one.
+	const bool isKept = !mayTryOtherLevels(part, options.tuning) ||
+						farthestMove(part, outcome.positions) <= preferredBound(part, strategy.tuning());
+	if (mayBeCloser && isKept && outcome.ending == Ending::Reached)
+		comeCloser(part, start, strategy, outcome, partOf(progress, shareBefore, 1, "closer: "));
 	return outcome;
 }
 

@@ -30,6 +30,12 @@ public:
 
 	/// \param length  see NewtonTuning::preferredLength
 	void prefer(double length) { tuning_.preferredLength = length; }
+	/// \param places  of the coarsest level of panels that are sewn together
+	/// \param room    see NewtonTuning::coarseRoom
+	void beginWith(int places, double room) {
+		tuning_.coarsestTogether = places;
+		tuning_.coarseRoom = room;
+	}
 	/// Where panels that are sewn together can't be within that they are given up from now on.
 	void giveUpBeyondPreferred() { tuning_.beyondPreferred = 0; }
 

@@ -151,6 +151,8 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"closerTries", &NewtonTuning::closerTries},
 		{"closerWorkPerPlace", &NewtonTuning::closerWorkPerPlace},
 		{"closerGain", &NewtonTuning::closerGain},
+		{"otherLevels", &NewtonTuning::otherLevels},
+		{"otherLevelWork", &NewtonTuning::otherLevelWork},
 		{"wayFarthest", &NewtonTuning::wayFarthest},
 		{"wayMean", &NewtonTuning::wayMean},
 		{"returnPlaces", &NewtonTuning::returnPlaces},

@@ -166,6 +166,10 @@ struct NewtonTuning {
 	double closerWorkPerPlace = 1500; ///< on each try, in units of WorkBudget
 	double closerGain = 0.9;          ///< share of the largest displacement: bounds above it gain too little
 
+	// Panels that are sewn together and end beyond the preferred move, or are not developable.
+	int otherLevels = 1;         ///< 0: coarsest levels of other sizes are not tried then
+	double otherLevelWork = 0.6; ///< share of the work of a run, that each of them may take
+
 	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200
 	// steps.
 	double workPerPlace = 6000;
@@ -200,6 +204,8 @@ struct NewtonTuning {
 	double coarseCotangent = 4;       ///< the greatest of a new triangle's angles
 	int coarseFan = 9; ///< triangles round a place that goes: more leave a fan that is no better
 
+	/// Places of the coarsest level of panels that are sewn together.
+	int fewestTogether() const { return coarsestTogether < coarsest ? coarsestTogether : coarsest; }
 	/// So few places, or hardly more, are solved directly: a coarser level would not be worth its while.
 	/// \param most  that the coarsest level may have, `coarsest` or less
 	bool isCoarsest(int places, int most) const {

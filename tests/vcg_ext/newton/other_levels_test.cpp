@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Panels that are sewn together and were led astray by one coarse level get there by another.
+#include "developable/newton/other_levels.h"
+
+#include "developable/newton/displacement_metric.h"
+#include "support/newton_checks.h"
+
+namespace developable::test {
+namespace {
+
+ConstrainedNewtonOptions optionsWith(int otherLevels) {
+	ConstrainedNewtonOptions options;
+	options.tuning.closerTries = 0;
+	options.tuning.otherLevels = otherLevels;
+	return options;
+}
+
+Positions solved(const PatchAssembly& assembly, int otherLevels) {
+	Positions positions = assembly.originalPositions;
+	EXPECT_EQ(constrainedNewton(assembly, positions, optionsWith(otherLevels)).status, Status::Converged);
+	return positions;
+}
+
+/// Share of how far a place had better move.
+double farthestShare(const PatchAssembly& assembly, const Positions& positions) {
+	return farthestMove(assembly, positions) /
+		   (NewtonTuning().preferredMove * boxDiagonal(assembly.originalPositions));
+}
+
+TEST(OtherLevels, LeadToAShapeThatIsNearWhereTheUsualOneEndsFarAway) {
+	const PatchAssembly assembly = mirroredPatches(56, saddle, 1.5);
+	EXPECT_GT(farthestShare(assembly, solved(assembly, 0)), 2);
+	const Positions positions = solved(assembly, 1);
+	EXPECT_LE(farthestShare(assembly, positions), 1);
+	EXPECT_EQ(positions, solved(assembly, 1));
+	expectSound(assembly, positions);
+}
+
+TEST(OtherLevels, LeadNoFartherWhereNoneIsNearEnough) {
+	const PatchAssembly assembly = mirroredPatches(56, saddle, 2);
+	const double before = farthestShare(assembly, solved(assembly, 0));
+	const Positions positions = solved(assembly, 1);
+	EXPECT_GT(before, 1);
+	EXPECT_LE(farthestShare(assembly, positions), before);
+	expectSound(assembly, positions);
+}
+
+TEST(OtherLevels, AreSparedWhereTheUsualOneIsNearEnough) {
+	const PatchAssembly assembly = mirroredPatches(50, wave, 0.7);
+	const Positions usual = solved(assembly, 0);
+	EXPECT_LE(farthestShare(assembly, usual), 1);
+	EXPECT_EQ(solved(assembly, 1), usual);
+}
+
+/// A single panel goes one way only; so does what is solved without coarser levels, is large, or is held.
+TEST(OtherLevels, AreOfSewnPanelsWithOneCoarserLevelOrMore) {
+	const NewtonTuning tuning;
+	NewtonTuning off;
+	off.otherLevels = 0;
+	PatchAssembly sewn = mirroredPatches(50, saddle);
+	EXPECT_TRUE(detail::mayTryOtherLevels(sewn, tuning));
+	EXPECT_FALSE(detail::mayTryOtherLevels(sewn, off));
+	EXPECT_FALSE(detail::mayTryOtherLevels(mirroredPatches(25, saddle), tuning));
+	EXPECT_FALSE(detail::mayTryOtherLevels(mirroredPatches(70, saddle), tuning));
+	EXPECT_FALSE(detail::mayTryOtherLevels(assembled(jitteredGrid(70, 70, saddle)), tuning));
+	sewn.placeFixed.front() = 1;
+	EXPECT_FALSE(detail::mayTryOtherLevels(sewn, tuning));
+}
+
+TEST(OtherLevels, StopWhenTheyAreTold) {
+	const PatchAssembly assembly = mirroredPatches(56, saddle, 1.5);
+	Positions positions = assembly.originalPositions;
+	bool begun = false;
+	const ConstrainedNewtonReport report =
+		constrainedNewton(assembly, positions, optionsWith(1), [&](double, const std::string& message) {
+			begun = begun || message.find("another way: ") != std::string::npos;
+			return !begun;
+		});
+	EXPECT_TRUE(begun);
+	EXPECT_EQ(report.status, Status::Stopped);
+}
+
+} // namespace
+} // namespace developable::test

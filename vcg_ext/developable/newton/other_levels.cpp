@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// other_levels.cpp: one after the other, until one is near enough.
+#include "other_levels.h"
+
+#include "displacement_metric.h"
+
+#include <cmath>
+
+namespace developable::detail {
+
+namespace {
+
+/// Beside the usual coarsest level.
+struct OtherLevel {
+	double places, room; ///< shares of its places and of its room to move
+};
+
+/// Of 14 runs of sewn panels that went astray these led 6, 2 and 3 more to the end.
+constexpr OtherLevel otherLevels[] = {{0.6, 1}, {0.6, 0.8}, {1.5, 1}};
+
+bool isNearer(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonOutcome& other) {
+	if (outcome.ending != Ending::Reached || other.ending != Ending::Reached)
+		return outcome.ending == Ending::Reached;
+	return farthestMove(part, outcome.positions) < farthestMove(part, other.positions);
+}
+
+NewtonStrategy strategyWith(const OtherLevel& level, const PatchAssembly& part, const NewtonStrategy& usual) {
+	const NewtonTuning& tuning = usual.tuning();
+	const double units = tuning.otherLevelWork * tuning.workPerPlace * part.placeCount();
+	NewtonStrategy strategy = usual;
+	strategy.beginWith(static_cast<int>(std::lround(level.places * tuning.coarsestTogether)),
+					   level.room * tuning.coarseRoom);
+	strategy.giveUpBeyondPreferred();
+	strategy.setBudget(std::make_shared<WorkBudget>(units, units));
+	return strategy;
+}
+
+} // namespace
+
+double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning) {
+	return std::min(tuning.preferredLength, tuning.preferredMove * boxDiagonal(part.originalPositions));
+}
+
+bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
+	return tuning.otherLevels > 0 && part.patchCount() > 1 && !holdsPlaces(part) &&
+		   part.placeCount() <= tuning.returnPlaces &&
+		   !tuning.isCoarsest(part.placeCount(), tuning.fewestTogether());
+}
+
+void tryOtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual,
+					NewtonOutcome& outcome, const Progress& progress) {
+	const NewtonTuning& tuning = usual.tuning();
+	const double preferred = preferredBound(part, tuning);
+	constexpr double share = 1.0 / std::size(otherLevels); // of the time
+	double begin = 0;
+	for (const OtherLevel& level : otherLevels) {
+		if (outcome.ending == Ending::Reached && farthestMove(part, outcome.positions) <= preferred)
+			return;
+		const NewtonStrategy strategy = strategyWith(level, part, usual);
+		NewtonOutcome next = strategy.solve(part, start, partOf(progress, begin, begin + share));
+		begin += share;
+		next.iterations = outcome.iterations += next.iterations;
+		next.work = outcome.work += strategy.budget().used();
+		if (next.ending == Ending::Stopped) {
+			outcome.ending = Ending::Stopped;
+			return;
+		}
+		if (isNearer(part, next, outcome))
+			outcome = std::move(next);
+	}
+}
+
+} // namespace developable::detail

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// other_levels.h: sewn panels from coarse levels of other sizes, where the usual one leads too far.
+#pragma once
+
+#include "newton_strategy.h"
+
+namespace developable::detail {
+
+/// How far a place had better move, length.
+double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning);
+
+/// Whether a part has panels that are sewn together, free to move, and is small enough to be solved more than
+/// once, but not without a coarser level.
+bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning);
+
+/// Panels that are sewn together pull at each other, and where a run ends hangs on the triangles of its
+/// coarsest level and on how much of the displacement that takes: what one leads astray another may lead to a
+/// developable shape within how far a place had better move. Nothing is done where that is reached already.
+/// \param usual    which led from the start to the outcome
+/// \param outcome  becomes what is nearer
+void tryOtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual,
+					NewtonOutcome& outcome, const Progress& progress);
+
+} // namespace developable::detail
