@@ -22,7 +22,8 @@ TEST(SewnPanels, moveNoFartherThanIsPreferredWhereThatIsEasy) {
 	const TriangleMesh cut = detail::meshAsCut(planned, given.vertexTaken);
 	const double diagonal = boxDiagonal(given.mesh.positions);
 	const auto sewn = [&](double preferredMove) {
-		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, preferredMove, true, {});
+		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, preferredMove,
+										 detail::SewnRun::Brief, {});
 	};
 	const double farthest = sewn(1).maxDisplacement;
 	const double preferred = 0.97 * farthest;
@@ -38,7 +39,7 @@ TEST(SewnPanels, areNoneWhereTheyNeedACutToLieFlat) {
 	PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 1))};
 	const auto sewn = [&] {
 		return detail::developSewnPanels(detail::meshAsCut(planned, given.vertexTaken), planned.surface, {1},
-										 {}, 1, false, {});
+										 {}, 1, detail::SewnRun::Whole, {});
 	};
 	const SewnPanels ring = sewn();
 	EXPECT_EQ(detail::worstOf(ring), 0);
@@ -60,11 +61,12 @@ TEST(SewnPanels, holdWithinLessThanIsPreferredWhereTheMethodComesAsClose) {
 	const TriangleMesh cut = detail::meshAsCut(planned, given.vertexTaken);
 	const double preferred = ConstrainedNewtonOptions().tuning.preferredMove;
 	const double limit = 0.6 * preferred * boxDiagonal(given.mesh.positions);
-	for (const bool brief : {true, false}) {
+	for (const detail::SewnRun run :
+		 {detail::SewnRun::Brief, detail::SewnRun::OneWay, detail::SewnRun::Whole}) {
 		const SewnPanels sewn =
-			detail::developSewnPanels(cut, planned.surface, {limit}, {}, preferred, brief, {});
+			detail::developSewnPanels(cut, planned.surface, {limit}, {}, preferred, run, {});
 		EXPECT_EQ(detail::worstOf(sewn), -1);
-		EXPECT_EQ(sewn.provisional, brief);
+		EXPECT_EQ(sewn.provisional, run == detail::SewnRun::Brief);
 	}
 	ConstrainedNewtonOptions plain;
 	plain.tuning.closerTries = 0;
@@ -82,7 +84,8 @@ TEST(SewnPanels, areSeenOnACoarseLevelOfALargeSurfaceIfBriefly) {
 									 withPanels(given.mesh, strips(given.mesh, 3))};
 		const TriangleMesh cut = detail::meshAsCut(planned, given.vertexTaken);
 		const double diagonal = boxDiagonal(given.mesh.positions);
-		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, 1, brief, {});
+		return detail::developSewnPanels(cut, planned.surface, {diagonal}, {}, 1,
+										 brief ? detail::SewnRun::Brief : detail::SewnRun::Whole, {});
 	};
 	EXPECT_FALSE(sewn(30, true).coarse);
 	const SewnPanels coarse = sewn(48, true), whole = sewn(48, false);
@@ -111,7 +114,7 @@ TEST(SewnPanels, overlapsOfACoarseLevelAreOnTheSurface) {
 	const PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 1))};
 	const SewnPanels sewn =
 		detail::developSewnPanels(detail::meshAsCut(planned, given.vertexTaken), planned.surface,
-								  {boxDiagonal(mesh.positions)}, {}, 1, true, {});
+								  {boxDiagonal(mesh.positions)}, {}, 1, detail::SewnRun::Brief, {});
 	ASSERT_TRUE(sewn.coarse);
 	ASSERT_EQ(sewn.overlaps.size(), 1u);
 	EXPECT_TRUE(detail::overlaps(sewn.panels[0]));

@@ -29,8 +29,8 @@ PanelPlan::PanelPlan(const GivenPatches& given, const std::vector<double>& limit
 }
 
 bool PanelPlan::mayTry() const {
-	constexpr double workOnTries = 2e7; // some twenty runs on a coarse level
-	return work() - workOnJoining_ < workOnTries + workOnTriesPerTriangle_ * given_.mesh.triangleCount();
+	constexpr double workOnCoarse = 2e7, perTriangle = 1.2e4; // some twenty runs there, a few on the surface
+	return work() - workOnJoining_ < workOnCoarse + perTriangle * given_.mesh.triangleCount();
 }
 
 SewnPanels PanelPlan::sewTogether(bool brief) {
@@ -257,7 +257,6 @@ void PanelPlan::takeOver(CarriedPanels found) {
 }
 
 bool PanelPlan::finishTakenOver() {
-	workOnTriesPerTriangle_ = 1.2e4; // there are no other tries
 	sewn_ = smoothSeams(SeamDrawing::Manner::Taut);
 	if (worstOf(sewn_) >= 0)
 		sewn_ = divideUntilAllHold();

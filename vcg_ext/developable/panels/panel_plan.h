@@ -144,7 +144,6 @@ private:
 	/// Sewing all panels together takes long: so much work at most in each stage to see whether darts help,
 	/// or closing overlaps.
 	static constexpr double workOnReliefs = 1e7, workOnClosings = 1.2e7;
-	double workOnTriesPerTriangle_ = 6e3; ///< a few runs on the surface itself
 	double reliefsLeft_ = workOnReliefs, closingsLeft_ = workOnClosings;
 	bool confirms_ = true;                 ///< by whole runs
 	double room_ = 1;                      ///< that panels have when they are joined, beside the most

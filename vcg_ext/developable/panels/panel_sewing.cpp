@@ -69,14 +69,19 @@ SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	std::vector<double> limits = limits_;
 	for (double& limit : limits)
 		limit *= room;
-	SewnPanels sewn = developSewnPanels(
-		mesh, planned.surface, limits, options_.material, room * preferredMove_, brief,
-		[&](double, const std::string&) { return tests_.mayGoOn(0.7, "sewing the panels together"); });
+	const SewnRun whole = waysLeft_ > 0 ? SewnRun::Whole : SewnRun::OneWay;
+	SewnPanels sewn =
+		developSewnPanels(mesh, planned.surface, limits, options_.material, room * preferredMove_,
+						  brief ? SewnRun::Brief : whole, [&](double, const std::string&) {
+							  return tests_.mayGoOn(0.7, "sewing the panels together");
+						  });
 	work_ += sewn.work;
 	if (tests_.stopped())
 		return sewn;
-	if (!brief)
+	if (!brief) {
+		waysLeft_ -= worstOf(sewn) >= 0 ? 1 : 0;
 		lessRoomAfter(sewn, planned.surface);
+	}
 	if (seen_.size() == mostSeen)
 		seen_.pop_front();
 	seen_.push_back({std::move(asked), brief, sewn});

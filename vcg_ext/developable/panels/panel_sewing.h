@@ -18,7 +18,7 @@ public:
 	PanelSewing(const GivenPatches& given, const std::vector<double>& limits, const CutOptions& options,
 				PanelTests& tests);
 
-	/// \param brief  see developSewnPanels
+	/// \param brief  see SewnRun; else as the user will do it
 	SewnPanels sew(const PlannedSurface& planned, bool brief);
 
 	/// What overlaps where a shape that was sewn before is laid flat with the cuts that there are now.
@@ -57,6 +57,7 @@ private:
 	PanelTests& tests_;
 	double preferredMove_; // of a run, share of the diagonal
 	double briefRoom_ = 1; // share of the limits that brief runs have
+	int waysLeft_ = 2;     // whole runs that may fail, until those that go astray go no other way
 	double work_ = 0;
 	std::deque<Seen> seen_;
 };

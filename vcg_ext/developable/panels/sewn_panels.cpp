@@ -294,7 +294,8 @@ std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn) {
 
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
-							 double preferredMove, bool brief, const Progress& progress) {
+							 double preferredMove, SewnRun run, const Progress& progress) {
+	const bool brief = run == SewnRun::Brief;
 	const PatchAssembly assembly = assemblePatches(mesh, {});
 	SewnPanels result;
 	result.panels.resize(surface.panelCount());
@@ -307,6 +308,7 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 		developStrained(assembly, surface, material, brief, limits, result, progress);
 		return result;
 	}
+	options.tuning.otherLevels = run == SewnRun::Whole ? 1 : 0;
 	if (brief) {
 		options.tuning.preferredLength = *std::max_element(limits.begin(), limits.end());
 		options.tuning.closerTries = 0;

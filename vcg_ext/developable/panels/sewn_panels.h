@@ -53,16 +53,19 @@ bool onlyOverlap(const SewnPanels& sewn);
 /// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
 bool wantsDart(const CutPanel& panel);
 
+/// A run on a coarse level of a large surface, that keeps to the limits from the first if it can (with a
+/// material one that gives up early); as the user will do it, without going other ways where the first leads
+/// astray; and with these.
+enum class SewnRun { Brief, OneWay, Whole };
+
 /// \param mesh             the panels as the user will have them: what comes out depends a little on
 ///                         the order of vertices; its `face` are triangles of the surface
 /// \param maxDisplacement  per patch of the surface
 /// \param material         without any strain all have to become developable
 /// \param preferredMove    see NewtonTuning, share of the diagonal
-/// \param brief            a run on a coarse level of a large surface, that keeps to the limits from the
-///                         first if it can; with a material one that gives up early
 SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface,
 							 const std::vector<double>& maxDisplacement, const PanelMaterial& material,
-							 double preferredMove, bool brief, const Progress& progress);
+							 double preferredMove, SewnRun run, const Progress& progress);
 
 /// What overlaps where the same shape is laid flat with other cuts: nearly as if all were sewn together anew,
 /// in a fraction of the time.
