@@ -27,22 +27,26 @@ double farthestShare(const PatchAssembly& assembly, const Positions& positions) 
 		   (NewtonTuning().preferredMove * boxDiagonal(assembly.originalPositions));
 }
 
+/// The first is solved from a coarser level, the others directly.
 TEST(OtherLevels, LeadToAShapeThatIsNearWhereTheUsualOneEndsFarAway) {
-	const PatchAssembly assembly = mirroredPatches(56, saddle, 1.5);
-	EXPECT_GT(farthestShare(assembly, solved(assembly, 0)), 2);
-	const Positions positions = solved(assembly, 1);
-	EXPECT_LE(farthestShare(assembly, positions), 1);
-	EXPECT_EQ(positions, solved(assembly, 1));
-	expectSound(assembly, positions);
+	for (const PatchAssembly& assembly : {mirroredPatches(56, saddle, 1.5), mirroredPatches(28, saddle, 2),
+										  mirroredPatches(28, largeSaddle, 0.7)}) {
+		EXPECT_GT(farthestShare(assembly, solved(assembly, 0)), 2);
+		const Positions positions = solved(assembly, 1);
+		EXPECT_LE(farthestShare(assembly, positions), 1);
+		EXPECT_EQ(positions, solved(assembly, 1));
+		expectSound(assembly, positions);
+	}
 }
 
 TEST(OtherLevels, LeadNoFartherWhereNoneIsNearEnough) {
-	const PatchAssembly assembly = mirroredPatches(56, saddle, 2);
-	const double before = farthestShare(assembly, solved(assembly, 0));
-	const Positions positions = solved(assembly, 1);
-	EXPECT_GT(before, 1);
-	EXPECT_LE(farthestShare(assembly, positions), before);
-	expectSound(assembly, positions);
+	for (const PatchAssembly& assembly : {mirroredPatches(28, vamp, 1.5), mirroredPatches(28, largeSaddle)}) {
+		const double before = farthestShare(assembly, solved(assembly, 0));
+		const Positions positions = solved(assembly, 1);
+		EXPECT_GT(before, 1);
+		EXPECT_LE(farthestShare(assembly, positions), before);
+		expectSound(assembly, positions);
+	}
 }
 
 TEST(OtherLevels, AreSparedWhereTheUsualOneIsNearEnough) {
@@ -52,15 +56,15 @@ TEST(OtherLevels, AreSparedWhereTheUsualOneIsNearEnough) {
 	EXPECT_EQ(solved(assembly, 1), usual);
 }
 
-/// A single panel goes one way only; so does what is solved without coarser levels, is large, or is held.
-TEST(OtherLevels, AreOfSewnPanelsWithOneCoarserLevelOrMore) {
+/// A single panel goes one way only; so does what is small, large or held.
+TEST(OtherLevels, AreOfSewnPanelsThatAreFreeAndOfAMiddlingSize) {
 	const NewtonTuning tuning;
 	NewtonTuning off;
 	off.otherLevels = 0;
 	PatchAssembly sewn = mirroredPatches(50, saddle);
 	EXPECT_TRUE(detail::mayTryOtherLevels(sewn, tuning));
 	EXPECT_FALSE(detail::mayTryOtherLevels(sewn, off));
-	EXPECT_FALSE(detail::mayTryOtherLevels(mirroredPatches(25, saddle), tuning));
+	EXPECT_FALSE(detail::mayTryOtherLevels(mirroredPatches(20, saddle), tuning));
 	EXPECT_FALSE(detail::mayTryOtherLevels(mirroredPatches(70, saddle), tuning));
 	EXPECT_FALSE(detail::mayTryOtherLevels(assembled(jitteredGrid(70, 70, saddle)), tuning));
 	sewn.placeFixed.front() = 1;
@@ -68,7 +72,7 @@ TEST(OtherLevels, AreOfSewnPanelsWithOneCoarserLevelOrMore) {
 }
 
 TEST(OtherLevels, StopWhenTheyAreTold) {
-	const PatchAssembly assembly = mirroredPatches(56, saddle, 1.5);
+	const PatchAssembly assembly = mirroredPatches(28, saddle, 2);
 	Positions positions = assembly.originalPositions;
 	bool begun = false;
 	const ConstrainedNewtonReport report =

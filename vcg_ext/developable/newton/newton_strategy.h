@@ -36,6 +36,8 @@ public:
 		tuning_.coarsestTogether = places;
 		tuning_.coarseRoom = room;
 	}
+	/// What has more places is not solved directly.
+	void coarsenFrom(int places) { tuning_.coarsest = places; }
 	/// Where panels that are sewn together can't be within that they are given up from now on.
 	void giveUpBeyondPreferred() { tuning_.beyondPreferred = 0; }
 

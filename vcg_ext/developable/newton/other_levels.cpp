@@ -15,7 +15,7 @@ struct OtherLevel {
 	double places, room; ///< shares of its places and of its room to move
 };
 
-/// Of 14 runs of sewn panels that went astray these led 6, 2 and 3 more to the end.
+/// Of 14 runs of sewn panels that went astray the first leads 6 to the end, the others 2 and 3 more.
 constexpr OtherLevel otherLevels[] = {{0.6, 1}, {0.6, 0.8}, {1.5, 1}};
 
 bool isNearer(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonOutcome& other) {
@@ -24,12 +24,17 @@ bool isNearer(const PatchAssembly& part, const NewtonOutcome& outcome, const New
 	return farthestMove(part, outcome.positions) < farthestMove(part, other.positions);
 }
 
+int placesOf(const OtherLevel& level, const NewtonTuning& tuning) {
+	return static_cast<int>(std::lround(level.places * tuning.coarsestTogether));
+}
+
 NewtonStrategy strategyWith(const OtherLevel& level, const PatchAssembly& part, const NewtonStrategy& usual) {
 	const NewtonTuning& tuning = usual.tuning();
 	const double units = tuning.otherLevelWork * tuning.workPerPlace * part.placeCount();
 	NewtonStrategy strategy = usual;
-	strategy.beginWith(static_cast<int>(std::lround(level.places * tuning.coarsestTogether)),
-					   level.room * tuning.coarseRoom);
+	strategy.beginWith(placesOf(level, tuning), level.room * tuning.coarseRoom);
+	if (tuning.isCoarsest(part.placeCount(), tuning.fewestTogether()))
+		strategy.coarsenFrom(placesOf(level, tuning));
 	strategy.giveUpBeyondPreferred();
 	strategy.setBudget(std::make_shared<WorkBudget>(units, units));
 	return strategy;
@@ -43,8 +48,7 @@ double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning) {
 
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
 	return tuning.otherLevels > 0 && part.patchCount() > 1 && !holdsPlaces(part) &&
-		   part.placeCount() <= tuning.returnPlaces &&
-		   !tuning.isCoarsest(part.placeCount(), tuning.fewestTogether());
+		   part.placeCount() > tuning.fewestTogether() && part.placeCount() <= tuning.returnPlaces;
 }
 
 void tryOtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual,
@@ -57,6 +61,8 @@ void tryOtherLevels(const PatchAssembly& part, const Positions& start, const New
 		if (outcome.ending == Ending::Reached && farthestMove(part, outcome.positions) <= preferred)
 			return;
 		const NewtonStrategy strategy = strategyWith(level, part, usual);
+		if (strategy.tuning().isCoarsest(part.placeCount(), strategy.tuning().fewestTogether()))
+			continue;
 		NewtonOutcome next = strategy.solve(part, start, partOf(progress, begin, begin + share));
 		begin += share;
 		next.iterations = outcome.iterations += next.iterations;

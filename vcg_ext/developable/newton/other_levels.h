@@ -10,7 +10,7 @@ namespace developable::detail {
 double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning);
 
 /// Whether a part has panels that are sewn together, free to move, and is small enough to be solved more than
-/// once, but not without a coarser level.
+/// once, but not too small for a coarser level.
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning);
 
 /// Panels that are sewn together pull at each other, and where a run ends hangs on the triangles of its
