@@ -57,9 +57,9 @@ NewtonOutcome solveWithin(const PatchAssembly& part, const Positions& start,
 	strategy.prefer(boundWithin(part, options.tuning));
 	NewtonOutcome outcome = solve(part, start, strategy, partOf(progress, 0, mayBeCloser ? shareBefore : 1));
 	// What none of other ways brought within the bound is not within a lower one.
-	const bool isKept = !mayTryOtherLevels(part, options.tuning) ||
-						farthestMove(part, outcome.positions) <= preferredBound(part, strategy.tuning());
-	if (mayBeCloser && isKept && outcome.ending == Ending::Reached)
+	const bool inVain =
+		mayTryOtherLevels(part, options.tuning) && !isWithinPreferred(part, outcome, strategy.tuning());
+	if (mayBeCloser && !inVain && outcome.ending == Ending::Reached)
 		comeCloser(part, start, strategy, outcome, partOf(progress, shareBefore, 1, "closer: "));
 	return outcome;
 }

@@ -74,9 +74,7 @@ public:
 	double memoryLimit() const { return memoryLimit_; }
 	double diagonal() const { return diagonal_; }
 	/// How far a place had better move at most, length.
-	double preferredMove() const {
-		return std::min({tuning_.preferredMove * diagonal_, tuning_.preferredLength, goal_.farthest});
-	}
+	double preferredMove() const { return std::min(tuning_.preferredBound(diagonal_), goal_.farthest); }
 	BendingMetric& metric() { return metric_; }
 	const BendingMetric& metric() const { return metric_; }
 	DefectJacobian& jacobian() { return jacobian_; }

@@ -204,6 +204,11 @@ struct NewtonTuning {
 	double coarseCotangent = 4;       ///< the greatest of a new triangle's angles
 	int coarseFan = 9; ///< triangles round a place that goes: more leave a fan that is no better
 
+	/// How far a place had better move, length.
+	/// \param diagonal  of the part
+	double preferredBound(double diagonal) const {
+		return preferredLength < preferredMove * diagonal ? preferredLength : preferredMove * diagonal;
+	}
 	/// Places of the coarsest level of panels that are sewn together.
 	int fewestTogether() const { return coarsestTogether < coarsest ? coarsestTogether : coarsest; }
 	/// So few places, or hardly more, are solved directly: a coarser level would not be worth its while.

@@ -42,8 +42,10 @@ NewtonStrategy strategyWith(const OtherLevel& level, const PatchAssembly& part, 
 
 } // namespace
 
-double preferredBound(const PatchAssembly& part, const NewtonTuning& tuning) {
-	return std::min(tuning.preferredLength, tuning.preferredMove * boxDiagonal(part.originalPositions));
+bool isWithinPreferred(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonTuning& tuning) {
+	return outcome.ending == Ending::Reached &&
+		   farthestMove(part, outcome.positions) <=
+			   tuning.preferredBound(boxDiagonal(part.originalPositions));
 }
 
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
@@ -54,11 +56,10 @@ bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
 void tryOtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual,
 					NewtonOutcome& outcome, const Progress& progress) {
 	const NewtonTuning& tuning = usual.tuning();
-	const double preferred = preferredBound(part, tuning);
 	constexpr double share = 1.0 / std::size(otherLevels); // of the time
 	double begin = 0;
 	for (const OtherLevel& level : otherLevels) {
-		if (outcome.ending == Ending::Reached && farthestMove(part, outcome.positions) <= preferred)
+		if (isWithinPreferred(part, outcome, tuning))
 			return;
 		const NewtonStrategy strategy = strategyWith(level, part, usual);
 		if (strategy.tuning().isCoarsest(part.placeCount(), strategy.tuning().fewestTogether()))

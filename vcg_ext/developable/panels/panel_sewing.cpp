@@ -79,7 +79,8 @@ SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	if (tests_.stopped())
 		return sewn;
 	if (!brief) {
-		waysLeft_ -= worstOf(sewn) >= 0 ? 1 : 0;
+		if (worstOf(sewn) >= 0)
+			--waysLeft_;
 		lessRoomAfter(sewn, planned.surface);
 	}
 	if (seen_.size() == mostSeen)
