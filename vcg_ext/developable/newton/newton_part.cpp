@@ -24,8 +24,9 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
 	const NewtonTuning& tuning = strategy.tuning();
 	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
-	const double extra = part.patchCount() > 1 ? work : tuning.preferredWorkPerPlace * part.placeCount();
-	strategy.setBudget(std::make_shared<WorkBudget>((mayFreeze ? tuning.workTogether : 1) * work, extra));
+	const double together = mayFreeze ? tuning.workTogether * work : work;
+	const double extra = part.patchCount() > 1 ? together : tuning.preferredWorkPerPlace * part.placeCount();
+	strategy.setBudget(std::make_shared<WorkBudget>(together, extra));
 	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, mayFreeze ? shareOfFirst : 1));
 	outcome.work = strategy.budget().used();
 	if (outcome.ending == Ending::Stopped)
@@ -39,7 +40,7 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 					   partOf(progress, shareOfFirst, shareOfAllTogether, "another way: "));
 	if (outcome.ending != Ending::Stuck || !mayFreeze)
 		return outcome;
-	strategy.setBudget(std::make_shared<WorkBudget>((1 - tuning.workTogether) * work, extra));
+	strategy.setBudget(std::make_shared<WorkBudget>(tuning.workOfOthers * work, extra));
 	const Progress progressOfOthers =
 		partOf(progress, shareOfAllTogether, 1, "without panels that need a cut: ");
 	outcome = FrozenPanels(part, start, strategy, progressOfOthers).finishOthers(std::move(outcome));

@@ -63,6 +63,12 @@ NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const Curvatu
 	: smoothness_(smoothness), shapeSmoothness_(shapeSmoothness(fairness)), goal_(goal),
 	  maxIterations_(maxIterations), memoryLimit_(memoryLimit), tuning_(tuning) {}
 
+void NewtonStrategy::beginNearFairShape(double fairness) {
+	shapeSmoothness_ = shapeSmoothness(fairness);
+	tuning_.fairSteps = 1;
+	fairerElsewhere_ = true;
+}
+
 /// With less room to move, for what the finest level adds. Where that is large enough for local steps, so are
 /// all levels: the nearer these end, the better it begins.
 /// \param fairerElsewhere  on a finer level than its own

@@ -31,11 +31,11 @@ public:
 	/// \param length  see NewtonTuning::preferredLength
 	void prefer(double length) { tuning_.preferredLength = length; }
 	/// \param places  of the coarsest level of panels that are sewn together
-	/// \param room    see NewtonTuning::coarseRoom
-	void beginWith(int places, double room) {
-		tuning_.coarsestTogether = places;
-		tuning_.coarseRoom = room;
-	}
+	void beginWith(int places) { tuning_.coarsestTogether = places; }
+	/// Whether it looks for what is near a fair shape of the original.
+	bool isNearFairShape() const { return shapeSmoothness_ > 0; }
+	/// It does from now on, without making what it finds fairer among developable shapes.
+	void beginNearFairShape(double fairness);
 	/// What has more places is not solved directly.
 	void coarsenFrom(int places) { tuning_.coarsest = places; }
 	/// Where panels that are sewn together can't be within that they are given up from now on.

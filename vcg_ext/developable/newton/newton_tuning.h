@@ -134,8 +134,9 @@ struct NewtonTuning {
 	int returnPatience = 3;          ///< rounds in a row that gain next to nothing
 	double returnAim = 0.9;          ///< share of the bound: aimed at; places beyond it are at the bound
 	double returnWeight = 200;       ///< of the place that was farthest so far, beside its mass
-	double heavyPlace = 1000;        ///< of its mass, at the bound on a finer level
-	double boundWeight = 300;        ///< of a place at a bound in a restoration within it, beside its mass
+	double returnWeightTogether = 1000; ///< the same of panels that are sewn together
+	double heavyPlace = 1000;           ///< of its mass, at the bound on a finer level
+	double boundWeight = 300;           ///< of a place at a bound in a restoration within it, beside its mass
 	double boundSharpness = 32; ///< power of the displacement's share of the bound that a place is heavier by
 	double boundAim = 0.97;     ///< share of the bound: where places beyond it are pulled back to
 	int boundRounds = 10;       ///< of pulling back and restoring
@@ -167,7 +168,7 @@ struct NewtonTuning {
 	double closerGain = 0.9;          ///< share of the largest displacement: bounds above it gain too little
 
 	// Panels that are sewn together and end beyond the preferred move, or are not developable.
-	int otherLevels = 1;         ///< 0: coarsest levels of other sizes are not tried then
+	int otherLevels = 1;         ///< 0: other ways are not tried then
 	double otherLevelWork = 0.6; ///< share of the work of a run, that each of them may take
 
 	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200
@@ -176,7 +177,8 @@ struct NewtonTuning {
 	double workOnSmall = 1e6;      ///< at least
 	double reserveOfCareful = 0.4; ///< share of it that is left to the free attempt
 	double reserveOfCoarse = 0.2;  ///< and to a finer level
-	double workTogether = 0.6;     ///< share of it before patches are frozen
+	double workTogether = 1.2;     ///< times that of more panels that are sewn together
+	double workOfOthers = 0.4;     ///< share of it, once patches are frozen
 
 	// Runs that only ask whether there is a shape near. On the way from the original to zero curvature the
 	// distance grows: what has come too far is given up.

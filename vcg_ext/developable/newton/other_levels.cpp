@@ -10,13 +10,11 @@ namespace developable::detail {
 
 namespace {
 
-/// Beside the usual coarsest level.
-struct OtherLevel {
-	double places, room; ///< shares of its places and of its room to move
-};
-
-/// Of 14 runs of sewn panels that went astray the first leads 6 to the end, the others 2 and 3 more.
-constexpr OtherLevel otherLevels[] = {{0.6, 1}, {0.6, 0.8}, {1.5, 1}};
+/// Of the places of the usual coarsest level.
+constexpr double shareOfPlaces = 0.6;
+/// Of the shapes that developable ones are to be near, see NewtonStrategy. Of 14 runs of sewn panels that
+/// went astray the first leads 7 within the preferred move, and each of the others one more.
+constexpr double fairnesses[] = {0.15, 0.08, 0};
 
 bool isNearer(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonOutcome& other) {
 	if (outcome.ending != Ending::Reached || other.ending != Ending::Reached)
@@ -24,17 +22,16 @@ bool isNearer(const PatchAssembly& part, const NewtonOutcome& outcome, const New
 	return farthestMove(part, outcome.positions) < farthestMove(part, other.positions);
 }
 
-int placesOf(const OtherLevel& level, const NewtonTuning& tuning) {
-	return static_cast<int>(std::lround(level.places * tuning.coarsestTogether));
-}
-
-NewtonStrategy strategyWith(const OtherLevel& level, const PatchAssembly& part, const NewtonStrategy& usual) {
+NewtonStrategy otherStrategy(double fairness, const PatchAssembly& part, const NewtonStrategy& usual) {
 	const NewtonTuning& tuning = usual.tuning();
 	const double units = tuning.otherLevelWork * tuning.workPerPlace * part.placeCount();
+	const int places = static_cast<int>(std::lround(shareOfPlaces * tuning.coarsestTogether));
 	NewtonStrategy strategy = usual;
-	strategy.beginWith(placesOf(level, tuning), level.room * tuning.coarseRoom);
+	strategy.beginWith(places);
 	if (tuning.isCoarsest(part.placeCount(), tuning.fewestTogether()))
-		strategy.coarsenFrom(placesOf(level, tuning));
+		strategy.coarsenFrom(places);
+	if (fairness > 0)
+		strategy.beginNearFairShape(fairness);
 	strategy.giveUpBeyondPreferred();
 	strategy.setBudget(std::make_shared<WorkBudget>(units, units));
 	return strategy;
@@ -49,19 +46,23 @@ bool isWithinPreferred(const PatchAssembly& part, const NewtonOutcome& outcome, 
 }
 
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
+	constexpr double hardlyFewer = 0.9; // than a coarsest level has
 	return tuning.otherLevels > 0 && part.patchCount() > 1 && !holdsPlaces(part) &&
-		   part.placeCount() > tuning.fewestTogether() && part.placeCount() <= tuning.returnPlaces;
+		   part.placeCount() >= hardlyFewer * tuning.fewestTogether() &&
+		   part.placeCount() <= tuning.returnPlaces;
 }
 
 void tryOtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual,
 					NewtonOutcome& outcome, const Progress& progress) {
 	const NewtonTuning& tuning = usual.tuning();
-	constexpr double share = 1.0 / std::size(otherLevels); // of the time
+	constexpr double share = 1.0 / std::size(fairnesses); // of the time
 	double begin = 0;
-	for (const OtherLevel& level : otherLevels) {
+	for (const double fairness : fairnesses) {
 		if (isWithinPreferred(part, outcome, tuning))
 			return;
-		const NewtonStrategy strategy = strategyWith(level, part, usual);
+		if (fairness > 0 && usual.isNearFairShape())
+			continue;
+		const NewtonStrategy strategy = otherStrategy(fairness, part, usual);
 		if (strategy.tuning().isCoarsest(part.placeCount(), strategy.tuning().fewestTogether()))
 			continue;
 		NewtonOutcome next = strategy.solve(part, start, partOf(progress, begin, begin + share));

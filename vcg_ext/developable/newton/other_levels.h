@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// other_levels.h: sewn panels from coarse levels of other sizes, where the usual one leads too far.
+// other_levels.h: sewn panels from smaller coarse levels, where the usual one leads too far.
 #pragma once
 
 #include "newton_strategy.h"

@@ -82,8 +82,10 @@ void ReturnWithinBound::makeFarPlacesHeavier() {
 	const Positions displacement = found_.positions - problem_.assembly().originalPositions;
 	weights_ *= least + displacement.colwise().norm().transpose().array() / found_.farthest;
 	weights_ /= weights_.maxCoeff();
-	const Eigen::VectorXd masses =
-		problem_.metric().placeMass().array() * (1 + problem_.tuning().returnWeight * weights_);
+	const NewtonTuning& tuning = problem_.tuning();
+	const bool pullAtEachOther = problem_.assembly().patchCount() > 1;
+	const double heaviest = pullAtEachOther ? tuning.returnWeightTogether : tuning.returnWeight;
+	const Eigen::VectorXd masses = problem_.metric().placeMass().array() * (1 + heaviest * weights_);
 	problem_.weigh(masses - masses_);
 	masses_ = masses;
 }

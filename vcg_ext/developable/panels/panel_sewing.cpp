@@ -79,7 +79,7 @@ SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
 	if (tests_.stopped())
 		return sewn;
 	if (!brief) {
-		if (worstOf(sewn) >= 0)
+		if (worstOf(sewn) >= 0 && !onlyOverlap(sewn))
 			--waysLeft_;
 		lessRoomAfter(sewn, planned.surface);
 	}

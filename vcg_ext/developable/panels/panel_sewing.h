@@ -57,7 +57,7 @@ private:
 	PanelTests& tests_;
 	double preferredMove_; // of a run, share of the diagonal
 	double briefRoom_ = 1; // share of the limits that brief runs have
-	int waysLeft_ = 2;     // whole runs that may fail, until those that go astray go no other way
+	int waysLeft_ = 3;     // whole runs that may go astray, until those that do go no other way
 	double work_ = 0;
 	std::deque<Seen> seen_;
 };

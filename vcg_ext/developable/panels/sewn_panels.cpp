@@ -308,7 +308,7 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 		developStrained(assembly, surface, material, brief, limits, result, progress);
 		return result;
 	}
-	options.tuning.otherLevels = run == SewnRun::Whole ? 1 : 0;
+	options.tuning.otherLevels = run == SewnRun::OneWay ? 0 : 1;
 	if (brief) {
 		options.tuning.preferredLength = *std::max_element(limits.begin(), limits.end());
 		options.tuning.closerTries = 0;
