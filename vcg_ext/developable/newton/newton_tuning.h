@@ -168,7 +168,7 @@ struct NewtonTuning {
 	double closerGain = 0.9;          ///< share of the largest displacement: bounds above it gain too little
 
 	// Panels that are sewn together and end beyond the preferred move, or are not developable.
-	int otherLevels = 1;         ///< 0: other ways are not tried then
+	int otherLevels = 3;         ///< other ways that are tried then at most
 	double otherLevelWork = 0.6; ///< share of the work of a run, that each of them may take
 
 	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200

@@ -57,14 +57,16 @@ void tryOtherLevels(const PatchAssembly& part, const Positions& start, const New
 	const NewtonTuning& tuning = usual.tuning();
 	constexpr double share = 1.0 / std::size(fairnesses); // of the time
 	double begin = 0;
+	int left = tuning.otherLevels;
 	for (const double fairness : fairnesses) {
-		if (isWithinPreferred(part, outcome, tuning))
+		if (left == 0 || isWithinPreferred(part, outcome, tuning))
 			return;
 		if (fairness > 0 && usual.isNearFairShape())
 			continue;
 		const NewtonStrategy strategy = otherStrategy(fairness, part, usual);
 		if (strategy.tuning().isCoarsest(part.placeCount(), strategy.tuning().fewestTogether()))
 			continue;
+		--left;
 		NewtonOutcome next = strategy.solve(part, start, partOf(progress, begin, begin + share));
 		begin += share;
 		next.iterations = outcome.iterations += next.iterations;

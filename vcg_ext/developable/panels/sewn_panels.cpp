@@ -308,8 +308,10 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 		developStrained(assembly, surface, material, brief, limits, result, progress);
 		return result;
 	}
-	options.tuning.otherLevels = run == SewnRun::OneWay ? 0 : 1;
+	if (run == SewnRun::OneWay)
+		options.tuning.otherLevels = 0;
 	if (brief) {
+		options.tuning.otherLevels = 1;
 		options.tuning.preferredLength = *std::max_element(limits.begin(), limits.end());
 		options.tuning.closerTries = 0;
 	}

@@ -54,8 +54,8 @@ bool onlyOverlap(const SewnPanels& sewn);
 bool wantsDart(const CutPanel& panel);
 
 /// A run on a coarse level of a large surface, that keeps to the limits from the first if it can (with a
-/// material one that gives up early); as the user will do it, without going other ways where the first leads
-/// astray; and with these.
+/// material one that gives up early), or goes one other way; as the user will do it, without going other ways
+/// where the first leads astray; and with these.
 enum class SewnRun { Brief, OneWay, Whole };
 
 /// \param mesh             the panels as the user will have them: what comes out depends a little on
