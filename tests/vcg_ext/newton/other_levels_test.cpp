@@ -15,7 +15,7 @@ ConstrainedNewtonOptions optionsWith(int otherLevels) {
 	return options;
 }
 
-Positions solved(const PatchAssembly& assembly, int otherLevels) {
+Positions solved(const PatchAssembly& assembly, int otherLevels = NewtonTuning().otherLevels) {
 	Positions positions = assembly.originalPositions;
 	EXPECT_EQ(constrainedNewton(assembly, positions, optionsWith(otherLevels)).status, Status::Converged);
 	return positions;
@@ -32,9 +32,9 @@ TEST(OtherLevels, LeadToAShapeThatIsNearWhereTheUsualOneEndsFarAway) {
 	for (const PatchAssembly& assembly : {mirroredPatches(52, saddle, 1.7), mirroredPatches(29, saddle, 2),
 										  mirroredPatches(26, largeSaddle, 0.7)}) {
 		EXPECT_GT(farthestShare(assembly, solved(assembly, 0)), 1.2);
-		const Positions positions = solved(assembly, 1);
+		const Positions positions = solved(assembly);
 		EXPECT_LE(farthestShare(assembly, positions), 1);
-		EXPECT_EQ(positions, solved(assembly, 1));
+		EXPECT_EQ(positions, solved(assembly));
 		expectSound(assembly, positions);
 	}
 }
@@ -42,7 +42,7 @@ TEST(OtherLevels, LeadToAShapeThatIsNearWhereTheUsualOneEndsFarAway) {
 TEST(OtherLevels, LeadNoFartherWhereNoneIsNearEnough) {
 	for (const PatchAssembly& assembly : {mirroredPatches(28, vamp, 1.5), mirroredPatches(28, largeSaddle)}) {
 		const double before = farthestShare(assembly, solved(assembly, 0));
-		const Positions positions = solved(assembly, 1);
+		const Positions positions = solved(assembly);
 		EXPECT_GT(before, 1);
 		EXPECT_LE(farthestShare(assembly, positions), before);
 		expectSound(assembly, positions);
@@ -53,7 +53,7 @@ TEST(OtherLevels, AreSparedWhereTheUsualOneIsNearEnough) {
 	const PatchAssembly assembly = mirroredPatches(50, wave, 0.7);
 	const Positions usual = solved(assembly, 0);
 	EXPECT_LE(farthestShare(assembly, usual), 1);
-	EXPECT_EQ(solved(assembly, 1), usual);
+	EXPECT_EQ(solved(assembly), usual);
 }
 
 /// A single panel goes one way only; so does what is small, large or held.
