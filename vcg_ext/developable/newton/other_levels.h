@@ -14,9 +14,9 @@ bool isWithinPreferred(const PatchAssembly& part, const NewtonOutcome& outcome, 
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning);
 
 /// Panels that are sewn together pull at each other, and where a run ends hangs on the triangles of its
-/// coarsest level and on how much of the displacement that takes: what one leads astray another may lead to a
-/// developable shape within how far a place had better move. Nothing is done where that is reached already.
-/// \param usual    which led from the start to the outcome
+/// coarsest level and on the detail that finer ones add: what one leads astray a smaller one, or one near a
+/// fair shape without that detail, may lead to a developable shape within how far a place had better move.
+/// Nothing is done where that is reached already. \param usual    which led from the start to the outcome
 /// \param outcome  becomes what is nearer
 void tryOtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual,
 					NewtonOutcome& outcome, const Progress& progress);

@@ -53,9 +53,9 @@ bool onlyOverlap(const SewnPanels& sewn);
 /// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
 bool wantsDart(const CutPanel& panel);
 
-/// A run on a coarse level of a large surface, that keeps to the limits from the first if it can (with a
-/// material one that gives up early), or goes one other way; as the user will do it, without going other ways
-/// where the first leads astray; and with these.
+/// A run on a coarse level of a large surface, that keeps to the limits from the first if it can, and goes
+/// one other way at most where the first leads astray (with a material one that gives up early); as the user
+/// will do it, without any other way; and with all of them.
 enum class SewnRun { Brief, OneWay, Whole };
 
 /// \param mesh             the panels as the user will have them: what comes out depends a little on
