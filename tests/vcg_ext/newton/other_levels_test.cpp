@@ -4,6 +4,7 @@
 
 #include "developable/newton/displacement_metric.h"
 #include "support/newton_checks.h"
+#include "threads_allowed.h"
 
 namespace developable::test {
 namespace {
@@ -54,6 +55,24 @@ TEST(OtherLevels, AreSparedWhereTheUsualOneIsNearEnough) {
 	const Positions usual = solved(assembly, 0);
 	EXPECT_LE(farthestShare(assembly, usual), 1);
 	EXPECT_EQ(solved(assembly), usual);
+}
+
+/// Others begin beside the usual one, or beside each other; those that were not needed are abandoned.
+TEST(OtherLevels, EndTheSameWhenTheyBeginBesideOthers) {
+	for (const PatchAssembly& assembly :
+		 {mirroredPatches(29, saddle, 2), mirroredPatches(28, vamp, 1.5), mirroredPatches(36, wave, 0.7)}) {
+		const auto solvedOn = [&](const char* threads, double workBeforeOthers) {
+			const ThreadsAllowed allowed(threads);
+			ConstrainedNewtonOptions options = optionsWith(NewtonTuning().otherLevels);
+			options.tuning.workBeforeOthers = workBeforeOthers;
+			Positions positions = assembly.originalPositions;
+			const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, options);
+			return std::make_tuple(positions, report.status, report.iterations, report.work);
+		};
+		const auto alone = solvedOn("1", 0);
+		EXPECT_EQ(solvedOn("2", 0), alone);
+		EXPECT_EQ(solvedOn("4", 1e300), alone);
+	}
 }
 
 /// A single panel goes one way only; so does what is small, large or held.

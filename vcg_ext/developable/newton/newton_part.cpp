@@ -27,7 +27,9 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	const double together = mayFreeze ? tuning.workTogether * work : work;
 	const double extra = part.patchCount() > 1 ? together : tuning.preferredWorkPerPlace * part.placeCount();
 	strategy.setBudget(std::make_shared<WorkBudget>(together, extra));
-	NewtonOutcome outcome = strategy.solve(part, start, partOf(progress, 0, mayFreeze ? shareOfFirst : 1));
+	OtherLevels others(part, start, strategy);
+	NewtonOutcome outcome = strategy.solve(
+		part, start, others.beside(strategy.budget(), partOf(progress, 0, mayFreeze ? shareOfFirst : 1)));
 	outcome.work = strategy.budget().used();
 	if (outcome.ending == Ending::Stopped)
 		return outcome;
@@ -35,9 +37,8 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 		outcome.ending = Ending::Stuck;
 	if (!better(part, flatDefects(part, outcome.positions), flatDefects(part, start)))
 		outcome.positions = start;
-	if (outcome.ending != Ending::OutOfSteps && mayTryOtherLevels(part, tuning))
-		tryOtherLevels(part, start, strategy, outcome,
-					   partOf(progress, shareOfFirst, shareOfAllTogether, "another way: "));
+	if (outcome.ending != Ending::OutOfSteps)
+		others.tryAll(outcome, partOf(progress, shareOfFirst, shareOfAllTogether, "another way: "));
 	if (outcome.ending != Ending::Stuck || !mayFreeze)
 		return outcome;
 	strategy.setBudget(std::make_shared<WorkBudget>(tuning.workOfOthers * work, extra));

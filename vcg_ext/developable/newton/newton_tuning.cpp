@@ -154,6 +154,7 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"closerGain", &NewtonTuning::closerGain},
 		{"otherLevels", &NewtonTuning::otherLevels},
 		{"otherLevelWork", &NewtonTuning::otherLevelWork},
+		{"workBeforeOthers", &NewtonTuning::workBeforeOthers},
 		{"wayFarthest", &NewtonTuning::wayFarthest},
 		{"wayMean", &NewtonTuning::wayMean},
 		{"returnPlaces", &NewtonTuning::returnPlaces},

@@ -168,8 +168,9 @@ struct NewtonTuning {
 	double closerGain = 0.9;          ///< share of the largest displacement: bounds above it gain too little
 
 	// Panels that are sewn together and end beyond the preferred move, or are not developable.
-	int otherLevels = 3;         ///< other ways that are tried then at most
-	double otherLevelWork = 0.6; ///< share of the work of a run, that each of them may take
+	int otherLevels = 3;            ///< other ways that are tried then at most
+	double otherLevelWork = 0.6;    ///< share of the work of a run, that each of them may take
+	double workBeforeOthers = 3000; ///< a place, until another thread begins the first: many runs end before
 
 	// How much work a part may take, in units of WorkBudget: about as much as ten times the paper's 200
 	// steps.

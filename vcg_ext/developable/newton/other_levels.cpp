@@ -4,6 +4,7 @@
 
 #include "displacement_metric.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace developable::detail {
@@ -52,30 +53,61 @@ bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
 		   part.placeCount() <= tuning.returnPlaces;
 }
 
-void tryOtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual,
-					NewtonOutcome& outcome, const Progress& progress) {
-	const NewtonTuning& tuning = usual.tuning();
-	constexpr double share = 1.0 / std::size(fairnesses); // of the time
-	double begin = 0;
-	int left = tuning.otherLevels;
+OtherLevels::OtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual)
+	: part_(part), start_(start), tuning_(usual.tuning()) {
+	if (!mayTryOtherLevels(part, tuning_))
+		return;
 	for (const double fairness : fairnesses) {
-		if (left == 0 || isWithinPreferred(part, outcome, tuning))
+		if (static_cast<int>(ways_.size()) == tuning_.otherLevels)
 			return;
 		if (fairness > 0 && usual.isNearFairShape())
 			continue;
-		const NewtonStrategy strategy = otherStrategy(fairness, part, usual);
-		if (strategy.tuning().isCoarsest(part.placeCount(), strategy.tuning().fewestTogether()))
-			continue;
-		--left;
-		NewtonOutcome next = strategy.solve(part, start, partOf(progress, begin, begin + share));
-		begin += share;
+		NewtonStrategy strategy = otherStrategy(fairness, part, usual);
+		if (!strategy.tuning().isCoarsest(part.placeCount(), strategy.tuning().fewestTogether()))
+			ways_.emplace_back(part, start, std::move(strategy));
+	}
+}
+
+void OtherLevels::begin(std::size_t first, int count) {
+	if (threadsAtHand() == 1)
+		return;
+	for (std::size_t way = first; way < std::min(ways_.size(), first + count); ++way)
+		if (!ways_[way].task.begun())
+			ways_[way].task.begin();
+}
+
+Progress OtherLevels::beside(const WorkBudget& budget, const Progress& progress) {
+	const double patience = budget.used() + tuning_.workBeforeOthers * part_.placeCount();
+	return [this, &budget, progress, patience](double fraction, const std::string& message) {
+		if (budget.used() > patience)
+			begin(0, 1);
+		return mayGoOn(progress, fraction, message);
+	};
+}
+
+NewtonOutcome OtherLevels::outcomeOf(Way& way, const Progress& progress) const {
+	if (way.task.begun()) {
+		way.task.finish(progress);
+		return std::move(way.outcome);
+	}
+	return way.strategy.solve(part_, start_, progress);
+}
+
+void OtherLevels::tryAll(NewtonOutcome& outcome, const Progress& progress) {
+	const auto count = double(ways_.size());
+	for (std::size_t way = 0; way < ways_.size(); ++way) {
+		if (isWithinPreferred(part_, outcome, tuning_))
+			return;
+		begin(way, threadsAtHand());
+		NewtonOutcome next =
+			outcomeOf(ways_[way], partOf(progress, double(way) / count, double(way + 1) / count));
 		next.iterations = outcome.iterations += next.iterations;
-		next.work = outcome.work += strategy.budget().used();
+		next.work = outcome.work += ways_[way].strategy.budget().used();
 		if (next.ending == Ending::Stopped) {
 			outcome.ending = Ending::Stopped;
 			return;
 		}
-		if (isNearer(part, next, outcome))
+		if (isNearer(part_, next, outcome))
 			outcome = std::move(next);
 	}
 }
