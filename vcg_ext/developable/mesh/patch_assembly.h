@@ -64,6 +64,9 @@ struct PatchAssembly {
 	int triangleCount() const { return static_cast<int>(triangleCopies.cols()); }
 	int edgeCount() const { return static_cast<int>(edgePlaces.cols()); }
 	int patchCount() const { return static_cast<int>(patches.size()); }
+	/// Of a part, which hangs together: whether it has several patches. Sewn together they pull at each
+	/// other.
+	bool isSewn() const { return patchCount() > 1; }
 	int interiorCopyCount() const;
 	int assemblingPlaceCount() const;
 };

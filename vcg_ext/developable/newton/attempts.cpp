@@ -65,7 +65,7 @@ public:
 
 	NewtonOutcome run() {
 		const NewtonTuning& tuning = problem_.tuning();
-		const int together = problem_.assembly().patchCount() > 1 ? tuning.togetherSteps : 0;
+		const int together = problem_.assembly().isSewn() ? tuning.togetherSteps : 0;
 		const int steps =
 			tuning.limitedSteps > 0 ? std::min(maxIterations_, tuning.limitedSteps + together) : 0;
 		const bool careful = steps > 0 || maxIterations_ == 0;

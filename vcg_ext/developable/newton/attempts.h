@@ -16,6 +16,16 @@ struct NewtonOutcome {
 	bool bordersLimited = false; ///< found while borders might not kink
 	Positions free = {};         ///< what the free attempt came to, where there was one
 	double work = 0;             ///< of all runs on a part, in units of WorkBudget; set where these are done
+
+	/// Counts what another run on the same part took, for both. \param workOfOther  in units of WorkBudget
+	/// \return whether it ended by itself; else this one was stopped, too
+	bool goesOnWith(NewtonOutcome& other, double workOfOther) {
+		other.iterations = iterations += other.iterations;
+		other.work = work += workOfOther;
+		if (other.ending == Ending::Stopped)
+			ending = Ending::Stopped;
+		return ending != Ending::Stopped;
+	}
 };
 
 /// Up to two attempts from the same start: a careful one, which keeps borders from kinking, and a free one,

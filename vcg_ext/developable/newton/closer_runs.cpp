@@ -46,7 +46,7 @@ double boundWithin(const PatchAssembly& part, const NewtonTuning& tuning) {
 }
 
 bool mayComeCloser(const PatchAssembly& part, const NewtonTuning& tuning) {
-	return part.patchCount() > 1 && tuning.closerTries > 0 && part.placeCount() <= tuning.returnPlaces;
+	return part.isSewn() && tuning.closerTries > 0 && part.placeCount() <= tuning.returnPlaces;
 }
 
 void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrategy strategy,
@@ -66,13 +66,8 @@ void comeCloser(const PatchAssembly& part, const Positions& start, NewtonStrateg
 		strategy.prefer(bound);
 		const double begin = double(tries) / tuning.closerTries, end = double(tries + 1) / tuning.closerTries;
 		NewtonOutcome closer = strategy.solve(part, start, partOf(progress, begin, end));
-		closer.iterations += outcome.iterations;
-		outcome.iterations = closer.iterations;
-		closer.work = outcome.work += strategy.budget().used();
-		if (closer.ending == Ending::Stopped) {
-			outcome.ending = Ending::Stopped;
+		if (!outcome.goesOnWith(closer, strategy.budget().used()))
 			return;
-		}
 		const Eigen::VectorXd now = displacementMap(part.originalPositions, closer.positions);
 		const bool taken = closer.ending == Ending::Reached && isCloser(now, moves);
 		const bool kept = taken && now.maxCoeff() <= bound;

@@ -150,7 +150,7 @@ bool isNearEnough(const NewtonProblem& problem, const Positions& positions) {
 AttemptResult attempt(NewtonProblem& problem, const Positions& start, const AttemptSetting& setting,
 					  const Progress& progress) {
 	constexpr double shareWithin = 0.4; // of the time
-	if (problem.assembly().patchCount() == 1 || problem.preferredMove() == 0)
+	if (!problem.assembly().isSewn() || problem.preferredMove() == 0)
 		return plainAttempt(problem, start, setting, progress);
 	AttemptResult within = attemptWithinPreferred(problem, start, setting, partOf(progress, 0, shareWithin));
 	const bool developable = within.ending == Ending::Reached;

@@ -21,11 +21,11 @@ NewtonStrategy strategyFor(const ConstrainedNewtonOptions& options, const Curvat
 
 NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStrategy& strategy,
 					const Progress& progress) {
-	const bool mayFreeze = part.patchCount() > 1 && !holdsPlaces(part);
+	const bool mayFreeze = part.isSewn() && !holdsPlaces(part);
 	const NewtonTuning& tuning = strategy.tuning();
 	const double work = std::max(tuning.workPerPlace * part.placeCount(), tuning.workOnSmall);
 	const double together = mayFreeze ? tuning.workTogether * work : work;
-	const double extra = part.patchCount() > 1 ? together : tuning.preferredWorkPerPlace * part.placeCount();
+	const double extra = part.isSewn() ? together : tuning.preferredWorkPerPlace * part.placeCount();
 	strategy.setBudget(std::make_shared<WorkBudget>(together, extra));
 	OtherLevels others(part, start, strategy);
 	NewtonOutcome outcome = strategy.solve(

@@ -174,7 +174,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 											 const Progress& progress) const {
 	const PatchAssembly& assembly = level.assembly;
 	const int places = assembly.placeCount();
-	const int coarsest = assembly.patchCount() > 1 ? tuning_.fewestTogether() : tuning_.coarsest;
+	const int coarsest = assembly.isSewn() ? tuning_.fewestTogether() : tuning_.coarsest;
 	if (tuning_.isCoarsest(places, coarsest))
 		return solveCoarsest(level, start, progress);
 	const PartialAssembly coarse =

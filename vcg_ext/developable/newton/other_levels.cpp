@@ -48,7 +48,7 @@ bool isWithinPreferred(const PatchAssembly& part, const NewtonOutcome& outcome, 
 
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
 	constexpr double hardlyFewer = 0.9; // than a coarsest level has
-	return tuning.otherLevels > 0 && part.patchCount() > 1 && !holdsPlaces(part) &&
+	return tuning.otherLevels > 0 && part.isSewn() && !holdsPlaces(part) &&
 		   part.placeCount() >= hardlyFewer * tuning.fewestTogether() &&
 		   part.placeCount() <= tuning.returnPlaces;
 }
@@ -101,12 +101,8 @@ void OtherLevels::tryAll(NewtonOutcome& outcome, const Progress& progress) {
 		begin(way, threadsAtHand());
 		NewtonOutcome next =
 			outcomeOf(ways_[way], partOf(progress, double(way) / count, double(way + 1) / count));
-		next.iterations = outcome.iterations += next.iterations;
-		next.work = outcome.work += ways_[way].strategy.budget().used();
-		if (next.ending == Ending::Stopped) {
-			outcome.ending = Ending::Stopped;
+		if (!outcome.goesOnWith(next, ways_[way].strategy.budget().used()))
 			return;
-		}
 		if (isNearer(part_, next, outcome))
 			outcome = std::move(next);
 	}

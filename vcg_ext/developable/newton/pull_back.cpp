@@ -23,7 +23,7 @@ bool weighPlacesAtBound(NewtonProblem& problem, const Shape& shape, double bound
 /// Places; panels that pull at each other are kept from going far by nothing else.
 int mostToReturn(const NewtonProblem& problem) {
 	const NewtonTuning& tuning = problem.tuning();
-	return problem.assembly().patchCount() > 1 ? tuning.returnPlacesTogether : tuning.returnPlaces;
+	return problem.assembly().isSewn() ? tuning.returnPlacesTogether : tuning.returnPlaces;
 }
 
 } // namespace
@@ -86,7 +86,7 @@ bool isSmallEnoughToReturn(const NewtonProblem& problem) {
 
 ExtraWork workWithinPreferred(NewtonProblem& problem, const WorkBudget& begin) {
 	const NewtonTuning& tuning = problem.tuning();
-	const bool pullAtEachOther = problem.assembly().patchCount() > 1;
+	const bool pullAtEachOther = problem.assembly().isSewn();
 	const double size = double(problem.assembly().placeCount()) / mostToReturn(problem);
 	const double onLarge = (pullAtEachOther ? tuning.preferredWork : 1) / size;
 	const double onSmall = pullAtEachOther ? std::numeric_limits<double>::infinity() : tuning.preferredWork;

@@ -83,7 +83,7 @@ void ReturnWithinBound::makeFarPlacesHeavier() {
 	weights_ *= least + displacement.colwise().norm().transpose().array() / found_.farthest;
 	weights_ /= weights_.maxCoeff();
 	const NewtonTuning& tuning = problem_.tuning();
-	const bool pullAtEachOther = problem_.assembly().patchCount() > 1;
+	const bool pullAtEachOther = problem_.assembly().isSewn();
 	const double heaviest = pullAtEachOther ? tuning.returnWeightTogether : tuning.returnWeight;
 	const Eigen::VectorXd masses = problem_.metric().placeMass().array() * (1 + heaviest * weights_);
 	problem_.weigh(masses - masses_);
