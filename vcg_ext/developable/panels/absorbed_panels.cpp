@@ -26,7 +26,8 @@ void PanelPlan::absorbSmallPanels() {
 		return;
 	planned_ = before;
 	sewn_ = sewn;
-	absorbEach(wholeTries);
+	if (mayTry())
+		absorbEach(wholeTries);
 }
 
 /// \param tries  of sewing all together
