@@ -10,6 +10,7 @@
 #include "pull_back.h"
 #include "refinement.h"
 #include "shortest_steps.h"
+#include "without_detail.h"
 
 #include <chrono>
 
@@ -71,10 +72,12 @@ void NewtonStrategy::beginNearFairShape(double fairness) {
 
 /// With less room to move, for what the finest level adds. Where that is large enough for local steps, so are
 /// all levels: the nearer these end, the better it begins.
-/// \param fairerElsewhere  on a finer level than its own
-NewtonStrategy NewtonStrategy::coarser(bool fairerElsewhere) const {
+NewtonStrategy NewtonStrategy::coarser(const Level& level) const {
 	NewtonStrategy result = *this;
 	if (!isCoarse_) {
+		if (level.isWithoutDetail)
+			result.tuning_.preferredLength =
+				preferredMove(level.assembly) - roomOfDetail(level.assembly, *level.fair);
 		result.goal_.farthest *= tuning_.coarseRoom;
 		result.tuning_.preferredMove *= tuning_.coarseRoom;
 		result.tuning_.preferredLength *= tuning_.coarseRoom;
@@ -82,17 +85,18 @@ NewtonStrategy NewtonStrategy::coarser(bool fairerElsewhere) const {
 	}
 	result.tuning_.localPlaces = static_cast<int>(tuning_.localPlaces / tuning_.levelRatio);
 	result.isCoarse_ = true;
-	result.fairerElsewhere_ = fairerElsewhere_ || fairerElsewhere;
+	result.fairerElsewhere_ = fairerElsewhere_ || descends(level);
 	return result;
 }
 
 NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positions& start,
 									const Progress& progress) const {
-	const Level finest = levelOf(assembly, 1);
+	Level finest = levelOf(assembly, 1);
 	if (!finest.fair) {
 		NewtonOutcome outcome = solveNear(finest, start, progress);
 		if (outcome.ending != Ending::Stuck)
 			return outcome;
+		leaveDetail(finest);
 	}
 	NewtonOutcome outcome = solveLevel(finest, start, progress);
 	if (outcome.ending != Ending::Stuck || !outcome.bordersLimited)
@@ -121,6 +125,18 @@ NewtonOutcome NewtonStrategy::solveNear(const Level& level, const Positions& sta
 	const double farthest = std::min(goal_.farthest, tuning_.nearMove * problem->diagonal());
 	const Ending along = NormalSteps(*problem, run, farthest).run();
 	return {along == Ending::OutOfSteps ? Ending::Stuck : along, run.iterations(), run.shape().positions};
+}
+
+double NewtonStrategy::preferredMove(const PatchAssembly& assembly) const {
+	return std::min(tuning_.preferredBound(boxDiagonal(assembly.originalPositions)), goal_.farthest);
+}
+
+void NewtonStrategy::leaveDetail(Level& level) const {
+	const PatchAssembly& assembly = level.assembly;
+	if (!assembly.isSewn() || tuning_.isCoarsest(assembly.placeCount(), tuning_.fewestTogether()))
+		return;
+	level.fair = withoutDetail(assembly, preferredMove(assembly), tuning_, memoryLimit_);
+	level.isWithoutDetail = level.fair.has_value();
 }
 
 NewtonStrategy::Level NewtonStrategy::levelOf(const PatchAssembly& assembly, double coarseness) const {
@@ -152,7 +168,7 @@ std::unique_ptr<NewtonProblem> NewtonStrategy::fineProblemOf(const Level& level)
 }
 
 bool NewtonStrategy::descends(const Level& level) const {
-	return level.fair && !fairerElsewhere_ && level.assembly.placeCount() <= tuning_.fairPlaces;
+	return isNearFairShape() && !fairerElsewhere_ && level.assembly.placeCount() <= tuning_.fairPlaces;
 }
 
 NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& start,
@@ -177,8 +193,9 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const int coarsest = assembly.isSewn() ? tuning_.fewestTogether() : tuning_.coarsest;
 	if (tuning_.isCoarsest(places, coarsest))
 		return solveCoarsest(level, start, progress);
+	const PatchAssembly& shape = level.isWithoutDetail ? level.reference() : assembly;
 	const PartialAssembly coarse =
-		Coarsening(assembly, tuning_).coarsen(coarserPlaces(places, coarsest, tuning_));
+		Coarsening(shape, tuning_).coarsen(coarserPlaces(places, coarsest, tuning_));
 	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)
 		return solveCoarsest(level, start, progress);
 	const double sizes = double(places) / coarse.assembly.placeCount();
@@ -194,8 +211,8 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	std::optional<WorkReserve> reserve(std::in_place, *budget_, tuning_.reserveOfCoarse);
 	Refinement refinement(assembly, coarse, tuning_, memoryLimit_, [&] { return fineProblemOf(level); });
 	refinement.prepareBeside([&] {
-		coarseOutcome = coarser(descends(level))
-							.solveLevel(coarseLevel, coarseStart, partOf(progress, coarseBegin, coarseEnd));
+		coarseOutcome =
+			coarser(level).solveLevel(coarseLevel, coarseStart, partOf(progress, coarseBegin, coarseEnd));
 	});
 	reserve.reset();
 	if (coarseOutcome.ending == Ending::Stopped || coarseOutcome.ending == Ending::TooFar) {
@@ -205,14 +222,14 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 	const std::string announcement = announce(assembly, taken.count() * std::pow(sizes, growth));
 	const bool developable = coarseOutcome.ending == Ending::Reached;
-	CoarseShape shape = {developable, farthestMove(coarse.assembly, coarseOutcome.positions), {}, {}};
+	CoarseShape solved = {developable, farthestMove(coarse.assembly, coarseOutcome.positions), {}, {}};
 	const Positions& reference = level.reference().originalPositions;
 	if (isSmallEnoughToReturn(refinement.problem()))
-		shape.smoothing = refinement.smoothing(reference);
-	shape.displacement =
+		solved.smoothing = refinement.smoothing(reference);
+	solved.displacement =
 		refinement.prolonged(coarseOutcome.positions - coarseLevel.reference().originalPositions) +
 		reference - assembly.originalPositions;
-	return refine(refinement.problem(), shape, coarseOutcome, partOf(progress, coarseEnd, 1, announcement));
+	return refine(refinement.problem(), solved, coarseOutcome, partOf(progress, coarseEnd, 1, announcement));
 }
 
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,

@@ -50,12 +50,17 @@ private:
 		const PatchAssembly& assembly;
 		double coarseness;                 ///< edges are so many times as long as on the finest level
 		std::optional<PatchAssembly> fair; ///< what the shape is to be near; the original where there is none
+		bool isWithoutDetail = false;      ///< the original is, there, and nothing else is fair about it
 
 		const PatchAssembly& reference() const { return fair ? *fair : assembly; }
 	};
 
+	/// How far a place had better move, length.
+	double preferredMove(const PatchAssembly& assembly) const;
 	Unfairness unfairnessOf(const PatchAssembly& assembly) const;
 	Level levelOf(const PatchAssembly& assembly, double coarseness) const;
+	/// Where coarser levels will follow, of panels that are sewn together: they would take noise for shape.
+	void leaveDetail(Level& level) const;
 	std::unique_ptr<NewtonProblem> problemOf(const Level& level) const;
 	/// One whose solution begins at that of a coarser level.
 	std::unique_ptr<NewtonProblem> fineProblemOf(const Level& level) const;
@@ -65,7 +70,8 @@ private:
 	NewtonOutcome solveByCoarser(const Level& level, const Positions& start, const Progress& progress) const;
 	/// Whether developable shapes are made fairer on this level, which is the finest that is not too dear.
 	bool descends(const Level& level) const;
-	NewtonStrategy coarser(bool fairerElsewhere) const;
+	/// For what is coarser than that.
+	NewtonStrategy coarser(const Level& level) const;
 	NewtonOutcome solveCoarsest(const Level& level, const Positions& start, const Progress& progress) const;
 	/// \param steps    at most
 	/// \param outcome  becomes what comes of it, where that is less curved

@@ -30,6 +30,13 @@ struct NewtonTuning {
 	double fairGain = 0.01;        ///< share of the unfairness: less is next to nothing
 	int fairPatience = 2;          ///< rounds in a row that gain next to nothing
 
+	// Noise and fine detail of panels that are sewn together, which they begin without.
+	double detailWave = 3;         ///< of the longest waves that go, in mean edge lengths
+	int detailSteps = 3;           ///< of smoothing at most
+	double detailCurvature = 0.65; ///< share of the curvature that each leaves at most
+	double detailLikeness = 0.5;   ///< between -1 and 1, of what goes at neighbours, at most
+	double detailMove = 0.25;      ///< share of how far places may move, that they are moved by at most
+
 	// Continuation in ε: from the original to where next to nothing of the curvature is left.
 	double firstEpsilon = 0.25; ///< share of the greatest response of g to a force: begins near the original
 	double leastEpsilon = 4e-5; ///< share of the first: below it, rounding makes the systems' solutions

@@ -194,9 +194,7 @@ PlannedSurface CanonicalForm::carriedBack(const PlannedSurface& planned) const {
 	for (int vertex = 0; vertex < from.vertexCount(); ++vertex) {
 		const VertexOrigin& origin = planned.origins[vertex];
 		const int first = vertices_[origin.first], second = vertices_[origin.second], now = number[vertex];
-		mesh.positions.col(now) = first == second ? Eigen::Vector3d(given_.mesh.positions.col(first))
-												  : (1 - origin.share) * given_.mesh.positions.col(first) +
-														origin.share * given_.mesh.positions.col(second);
+		mesh.positions.col(now) = pointAt({first, second, origin.share}, given_.mesh.positions);
 		origins[now] = {given_.origins[first].first, given_.origins[second].first, origin.share};
 	}
 	PlannedSurface result{mesh, std::move(origins), CutSurface(assemblePatches(mesh, {}))};

@@ -4,6 +4,7 @@
 
 #include "mirror_plane.h"
 #include "panel_plan.h"
+#include "smoothed_patches.h"
 #include "thinned_patches.h"
 
 #include <algorithm>
@@ -266,15 +267,39 @@ FoundPanels searchThinned(const GivenPatches& patches, const std::vector<double>
 	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
 }
 
+/// With as many triangles as serve.
+FoundPanels searchFor(const GivenPatches& patches, const std::vector<double>& limits,
+					  const CutOptions& options, const Progress& progress) {
+	if (patches.mesh.triangleCount() > mostTriangles)
+		return searchThinned(patches, limits, options, progress);
+	return search(patches, limits, options, true, progress);
+}
+
+/// Where panels are is found without detail.
+FoundPanels searchSmoothed(const GivenPatches& patches, const SmoothedPatches& smoothed,
+						   const std::vector<double>& limits, const CutOptions& options,
+						   const Progress& progress) {
+	constexpr double shareOfSearch = 0.8;
+	const FoundPanels found =
+		searchFor(smoothed.patches(), smoothed.limits(), options, partOf(progress, 0, shareOfSearch));
+	if (found.stopped)
+		return stoppedPanels();
+	PanelPlan plan(patches, limits, options, partOf(progress, shareOfSearch, 1));
+	const bool hold =
+		plan.takeOver(std::vector{smoothed.carriedBack(found.planned.front())}) || plan.divide();
+	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
+}
+
 } // namespace
 
 FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
 					   const CutOptions& options, const Progress& progress) {
 	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, nullptr, progress))
 		return std::move(*still);
-	if (patches.mesh.triangleCount() > mostTriangles)
-		return searchThinned(patches, limits, options, progress);
-	return search(patches, limits, options, true, progress);
+	const SmoothedPatches smoothed(patches, limits);
+	if (smoothed.hadDetail())
+		return searchSmoothed(patches, smoothed, limits, options, progress);
+	return searchFor(patches, limits, options, progress);
 }
 
 FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,

@@ -263,8 +263,9 @@ bool PanelPlan::finishTakenOver() {
 	return finish();
 }
 
-void PanelPlan::divide() {
+bool PanelPlan::divide() {
 	sewn_ = divideUntilAllHold();
+	return worstOf(sewn_) < 0;
 }
 
 void PanelPlan::takeOver(PlannedSurface found, SewnPanels sewn) {

@@ -72,8 +72,8 @@ public:
 	/// Draws their seams anew, and divides what does not hold here. \return whether all hold
 	bool finishTakenOver();
 
-	/// Divides what does not hold.
-	void divide();
+	/// Divides what does not hold. \return whether all hold
+	bool divide();
 
 	/// Takes over panels that were found on these patches.
 	void takeOver(PlannedSurface found, SewnPanels sewn);

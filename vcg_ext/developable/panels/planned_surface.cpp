@@ -8,6 +8,12 @@
 
 namespace developable::detail {
 
+Eigen::Vector3d pointAt(const VertexOrigin& origin, const Positions& positions) {
+	if (origin.first == origin.second)
+		return positions.col(origin.first);
+	return (1 - origin.share) * positions.col(origin.first) + origin.share * positions.col(origin.second);
+}
+
 double lengthOfSharedSides(const GivenPatches& given) {
 	std::map<std::pair<int, int>, int> own, shared; // how many triangles have a side
 	for (int h = 0; h < 3 * given.mesh.triangleCount(); ++h)

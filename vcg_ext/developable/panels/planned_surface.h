@@ -16,6 +16,9 @@ struct GivenPatches {
 	double seamLength = 0;             ///< between patches that share vertices
 };
 
+/// \param positions  of the vertices of the mesh before, 3 x vertices
+Eigen::Vector3d pointAt(const VertexOrigin& origin, const Positions& positions);
+
 /// Of the sides of different patches that have both ends in common on the mesh that was given, length.
 double lengthOfSharedSides(const GivenPatches& given);
 

@@ -7,8 +7,10 @@
 #include "developable/flatten/flatten.h"
 #include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
+#include "developable/newton/without_detail.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace developable::detail {
 
@@ -185,8 +187,11 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 					 const Progress& progress) {
 	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
 	const bool large = assembly.placeCount() > manyPlaces;
+	const std::optional<PatchAssembly> smoothed =
+		withoutDetail(assembly, *std::max_element(limits.begin(), limits.end()));
+	const PatchAssembly& shape = smoothed ? *smoothed : assembly;
 	const PartialAssembly coarse =
-		coarserLevel(assembly, large ? placesOfMany : options.tuning.coarsestTogether);
+		coarserLevel(shape, large ? placesOfMany : options.tuning.coarsestTogether);
 	std::vector<int> panelOfCoarsePatch;
 	for (const int patch : coarse.wholePatch)
 		panelOfCoarsePatch.push_back(panelOfPatch[patch]);
@@ -197,8 +202,8 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 	measurePanels(coarse.assembly, positions, surface, panelOfCoarsePatch, limits, result);
 	if (!judgeCurvature(options, panelOfCoarsePatch, limits, result))
 		return;
-	const Positions carried = carriedOver(assembly, coarse, positions - coarse.assembly.originalPositions);
-	refuseOverlaps(assembly, assembly.originalPositions + carried, surface, panelOfPatch, result);
+	const Positions carried = carriedOver(shape, coarse, positions - coarse.assembly.originalPositions);
+	refuseOverlaps(shape, shape.originalPositions + carried, surface, panelOfPatch, result);
 }
 
 /// With zero strain, as the user will.

@@ -172,11 +172,7 @@ private:
 		}
 	}
 
-	Eigen::Vector3d pointOf(int vertex) const {
-		const VertexOrigin& origin = result_.origins[vertex];
-		return (1 - origin.share) * mesh_.positions.col(origin.first) +
-			   origin.share * mesh_.positions.col(origin.second);
-	}
+	Eigen::Vector3d pointOf(int vertex) const { return pointAt(result_.origins[vertex], mesh_.positions); }
 
 	void finish() {
 		TriangleMesh& mesh = result_.mesh;
