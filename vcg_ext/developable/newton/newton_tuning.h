@@ -34,7 +34,7 @@ struct NewtonTuning {
 	double detailWave = 3;         ///< of the longest waves that go, in mean edge lengths
 	int detailSteps = 3;           ///< of smoothing at most
 	double detailCurvature = 0.65; ///< share of the curvature that each leaves at most
-	double detailLikeness = 0.5;   ///< between -1 and 1, of what goes at neighbours, at most
+	double detailLikeness = 0.2;   ///< between -1 and 1, of what goes at neighbours, at most
 	double detailMove = 0.25;      ///< share of how far places may move, that they are moved by at most
 
 	// Continuation in ε: from the original to where next to nothing of the curvature is left.

@@ -35,17 +35,18 @@ double rootMeanSquareMove(const PatchAssembly& original, const PatchAssembly& sm
 	return move.norm() / std::sqrt(double(original.placeCount()));
 }
 
-/// How alike moves along the normals are at both ends of an edge, -1 to 1: noise has about 0.
-double likenessOfNeighbours(const PatchAssembly& original, const PatchAssembly& smoothed) {
+/// Whether moves along the normals are not alike at both ends of edges: else it is features that become
+/// smaller.
+bool isDetail(const PatchAssembly& before, const PatchAssembly& smoothed, const NewtonTuning& tuning) {
 	const Eigen::Matrix3Xd normals = placeNormals(smoothed, smoothed.originalPositions);
-	const Positions move = smoothed.originalPositions - original.originalPositions;
+	const Positions move = smoothed.originalPositions - before.originalPositions;
 	const Positions along = normals * move.cwiseProduct(normals).colwise().sum().asDiagonal();
 	double both = 0, each = 0;
-	for (const auto& ends : original.edgePlaces.colwise()) {
+	for (const auto& ends : before.edgePlaces.colwise()) {
 		both += along.col(ends[0]).dot(along.col(ends[1]));
 		each += (along.col(ends[0]).squaredNorm() + along.col(ends[1]).squaredNorm()) / 2;
 	}
-	return each > 0 ? both / each : 1;
+	return both <= tuning.detailLikeness * each;
 }
 
 } // namespace
@@ -59,7 +60,7 @@ std::optional<PatchAssembly> withoutDetail(const PatchAssembly& original, double
 		PatchAssembly smoothed = withoutShortWaves(before, wavelength, tuning, memoryLimit);
 		if (curvature(smoothed) > tuning.detailCurvature * curvature(before) ||
 			rootMeanSquareMove(original, smoothed) > tuning.detailMove * farthest ||
-			likenessOfNeighbours(before, smoothed) > tuning.detailLikeness)
+			!isDetail(before, smoothed, tuning))
 			break;
 		result = std::move(smoothed);
 	}
