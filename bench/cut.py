@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cuts every mesh of a folder into panels, makes them developable, lays them flat, and prints a table.
 
-`bash bench/run.sh cut FOLDER [name=value...]`, with parameters of the filter; those of the material hold for
-all three steps. Seams and distances are shares of the diagonal D of the input's box; distances are from the
-result's vertices to the input's surface. Beside it how long seams are beside smooth curves, and the charts
-of xatlas with its defaults, on the same mesh: how many, and how long their seams are.
+`bash bench/run.sh cut FOLDER [noise=SHARE] [name=value...]`, with parameters of the filter; those of the
+material hold for all three steps. With noise, vertices are moved along their normals first, at random, by
+that share of a mean edge (standard deviation). Seams and distances are shares of the diagonal D of the
+input's box; distances are from the result's vertices to the input's surface. Beside it how long seams are
+beside smooth curves, and the charts of xatlas with its defaults, on the same mesh: how many, and how long
+their seams are.
 """
 
 from __future__ import annotations
@@ -35,19 +37,22 @@ def main() -> None:
     """Print the table."""
     folder, *assignments = sys.argv[1:]
     parameters = {name: float(value) for name, value in (text.split("=") for text in assignments)}
+    noise = parameters.pop("noise", 0)
     print_head(HEAD)
     for path in sorted(path for path in Path(folder).iterdir() if path.suffix.lower() in SUFFIXES):
         try:
-            print_row(path.stem, *measured(path, parameters))
+            print_row(path.stem, *measured(path, noise, parameters))
         except meshlab_developable.DevelopableError as error:
             print_row(path.stem, str(error))
 
 
-def measured(path: Path, parameters: dict[str, Any]) -> list[object]:
+def measured(path: Path, noise: float, parameters: dict[str, Any]) -> list[object]:
     """The row of a mesh, but for its name."""
     meshes = mesh_sets.open_mesh(path)  # a mesh dies with its set
     mesh = meshes.current_mesh()
     vertices, faces = np.array(mesh.vertex_matrix()), np.array(mesh.face_matrix())
+    if noise > 0:
+        vertices = with_noise(vertices, faces, noise)
     diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
     start = time.perf_counter()
     cut = meshlab_developable.cut_into_panels(vertices, faces, **parameters)
@@ -77,6 +82,15 @@ def measured(path: Path, parameters: dict[str, Any]) -> list[object]:
         charts,
         f"{seams / diagonal:.2f}",
     ]
+
+
+def with_noise(vertices: Any, faces: Any, share_of_edge: float) -> Any:
+    """The same on every run; vertices that coincide still do."""
+    places, place_of_vertex = np.unique(vertices, axis=0, return_inverse=True)
+    surface = trimesh.Trimesh(places, place_of_vertex.reshape(-1)[faces], process=False)
+    deviation = share_of_edge * surface.edges_unique_length.mean()
+    moves = np.random.default_rng(1).normal(0, deviation, len(places))
+    return (places + moves[:, None] * surface.vertex_normals)[place_of_vertex.reshape(-1)]
 
 
 def xatlas_charts(vertices: Any, faces: Any) -> tuple[int, float]:

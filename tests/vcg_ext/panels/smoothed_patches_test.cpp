@@ -10,7 +10,6 @@
 namespace developable::test {
 namespace {
 
-using detail::CutSurface;
 using detail::GivenPatches;
 using detail::PlannedSurface;
 using detail::SmoothedPatches;
