@@ -6,6 +6,7 @@
 #include "developable/mesh/mesh.h"
 #include "displacement_metric.h"
 #include "newton_tuning.h"
+#include "without_detail.h"
 
 namespace developable {
 

@@ -7,7 +7,6 @@
 #include "developable/flatten/flatten.h"
 #include "developable/geometry/geometry.h"
 #include "developable/newton/constrained_newton.h"
-#include "developable/newton/without_detail.h"
 
 #include <algorithm>
 #include <optional>

@@ -2,7 +2,7 @@
 // smoothed_patches.cpp: other positions, and the way back.
 #include "smoothed_patches.h"
 
-#include "developable/newton/without_detail.h"
+#include "developable/newton/constrained_newton.h"
 
 #include <algorithm>
 #include <numeric>
