@@ -40,6 +40,8 @@ TEST(WithoutDetail, IsNothingOfASmoothSurface) {
 		const PatchAssembly original = assembled(jitteredGrid(31, 31, surface));
 		EXPECT_FALSE(withoutDetail(original, farEnough(original)));
 	}
+	const PatchAssembly flat = assembled(jitteredGrid(31, 31, flatSheet));
+	EXPECT_FALSE(withoutDetail(flat, farEnough(flat)));
 }
 
 TEST(WithoutDetail, IsNothingWherePlacesMayHardlyMove) {

@@ -58,7 +58,7 @@ std::optional<PatchAssembly> withoutDetail(const PatchAssembly& original, double
 	for (int step = 0; step < tuning.detailSteps; ++step) {
 		const PatchAssembly& before = result ? *result : original;
 		PatchAssembly smoothed = withoutShortWaves(before, wavelength, tuning, memoryLimit);
-		if (curvature(smoothed) > tuning.detailCurvature * curvature(before) ||
+		if (curvature(smoothed) >= tuning.detailCurvature * curvature(before) ||
 			rootMeanSquareMove(original, smoothed) > tuning.detailMove * farthest ||
 			!isDetail(before, smoothed, tuning))
 			break;
