@@ -22,15 +22,21 @@ void copyAttributes(const Attributes& attributes, std::size_t to, std::size_t fr
 		attribute._handle->CopyValue(to, from, attribute._handle);
 }
 
+/// A coordinate with as many digits as those that it is between.
+host::Scalar inDigits(host::Scalar coordinate, bool singlePrecision) {
+	return singlePrecision ? static_cast<host::Scalar>(narrowed<float>(coordinate)) : coordinate;
+}
+
 template <class Number>
 Number between(Number a, Number b, double share) {
 	return static_cast<Number>((1 - share) * double(a) + share * double(b));
 }
 
 /// What of a vertex can be between those of two others.
-void setBetween(const Layer& layer, CVertexO& vertex, const CVertexO& a, const CVertexO& b, double share) {
+void setBetween(const Layer& layer, CVertexO& vertex, const CVertexO& a, const CVertexO& b, double share,
+				bool singlePrecision) {
 	for (int axis = 0; axis < 3; ++axis) {
-		vertex.P()[axis] = between(a.cP()[axis], b.cP()[axis], share);
+		vertex.P()[axis] = inDigits(between(a.cP()[axis], b.cP()[axis], share), singlePrecision);
 		vertex.N()[axis] = between(a.cN()[axis], b.cN()[axis], share);
 	}
 	for (int channel = 0; channel < 4; ++channel)
@@ -45,7 +51,7 @@ void setBetween(const Layer& layer, CVertexO& vertex, const CVertexO& a, const C
 	}
 }
 
-void addVertices(Layer& layer, const CutMesh& cut) {
+void addVertices(Layer& layer, const CutMesh& cut, bool singlePrecision) {
 	CMeshO& mesh = layer.mesh();
 	if (cut.added.empty())
 		return;
@@ -57,7 +63,8 @@ void addVertices(Layer& layer, const CutMesh& cut) {
 		vertex.ImportData(mesh.vert[first]);
 		copyAttributes(mesh.vert_attr, number, origin.share > 0.5 ? std::size_t(origin.second) : first);
 		if (origin.first != origin.second)
-			setBetween(layer, vertex, mesh.vert[first], mesh.vert[std::size_t(origin.second)], origin.share);
+			setBetween(layer, vertex, mesh.vert[first], mesh.vert[std::size_t(origin.second)], origin.share,
+					   singlePrecision);
 	}
 }
 
@@ -173,9 +180,9 @@ auto faceAttribute(CMeshO& mesh, const std::string& name, Value value) {
 
 } // namespace
 
-void cutLayer(Layer& layer, const CutMesh& cut) {
+void cutLayer(Layer& layer, const CutMesh& cut, bool singlePrecision) {
 	FaceCutter faces(layer, cut); // what they were
-	addVertices(layer, cut);
+	addVertices(layer, cut, singlePrecision);
 	faces.cut();
 	layer.facesChanged();
 }

@@ -11,7 +11,8 @@ namespace developable::plugin {
 /// Doubles vertices along seams and darts and splits faces, with all attributes: of a vertex on an edge they
 /// are those between the edge's ends, of a part of a face those of the face. Vertices and faces that are
 /// there keep their numbers; new ones follow.
-void cutLayer(Layer& layer, const CutMesh& cut);
+/// \param singlePrecision  see TriangleMesh
+void cutLayer(Layer& layer, const CutMesh& cut, bool singlePrecision);
 
 /// The number of each face's panel as its quality, and in custom attributes of the faces: `panel` and what
 /// the panel's report says, as `panel_status` (of Status), `panel_curvature_before`, `panel_curvature` and

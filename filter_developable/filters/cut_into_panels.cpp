@@ -89,7 +89,7 @@ Results runCut(FilterCall& call) {
 		std::vector<int> faces = result.mesh.face;
 		if (call.values.boolean("cut")) {
 			faces = result.mesh.facesAfter(static_cast<int>(call.layer.mesh().face.size()));
-			cutLayer(call.layer, result.mesh);
+			cutLayer(call.layer, result.mesh, mesh.singlePrecision);
 		}
 		labelPanels(call.layer, result, faces);
 		if (call.values.boolean("colorize"))

@@ -43,6 +43,17 @@ def test_a_closed_model_becomes_panels_that_can_be_made_developable(sphere, pane
     assert flat.report.max_edge_strain < 1e-3
 
 
+def test_panels_in_single_precision_are_the_same_in_every_host(sphere):
+    vertices, faces = sphere
+    single = (vertices * [1.1, 1.3, 0.9]).astype(np.float32).astype(float)
+    cut = meshlab_developable.cut_into_panels(single, faces)
+    added = cut.vertices[len(single) :]
+    assert len(added) > 0
+    assert np.array_equal(added, added.astype(np.float32))
+    developed = meshlab_developable.make_developable(cut.vertices, cut.faces)
+    assert developed.report.mean_displacement == pytest.approx(cut.report.mean_displacement, rel=1e-12)
+
+
 def test_each_panel_is_described(panels):
     assert [panel.index for panel in panels.report.panels] == list(range(len(panels.report.panels)))
     for panel in panels.report.panels:

@@ -34,9 +34,11 @@ std::vector<GivenPatches> partsOf(const TriangleMesh& mesh) {
 
 TEST(GivenParts, areAsIfGivenAlone) {
 	const TriangleMesh first = octahedron(), second = movedBy(domeOf(5), aside);
-	const TriangleMesh both = together(first, second);
+	TriangleMesh both = together(first, second);
+	both.singlePrecision = true;
 	const std::vector<GivenPatches> parts = partsOf(both);
 	ASSERT_EQ(parts.size(), 2u);
+	EXPECT_TRUE(parts[0].mesh.singlePrecision && parts[1].mesh.singlePrecision);
 	const GivenPatches alone = detail::separatePatches(second, {});
 	EXPECT_EQ(parts[1].mesh.positions, alone.mesh.positions);
 	EXPECT_EQ(parts[1].mesh.triangles, alone.mesh.triangles);

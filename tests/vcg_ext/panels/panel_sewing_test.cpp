@@ -47,6 +47,18 @@ TEST_F(PanelSewingTest, DoesNotRunAgainWhatItHasSeen) {
 	EXPECT_EQ(sewing.work(), workOnBoth);
 }
 
+/// Where a run ends hangs on the last digits of what it begins with.
+TEST_F(PanelSewingTest, SewsWithTheDigitsThatTheMeshWillHave) {
+	GivenPatches single = given, few = given;
+	single.mesh.singlePrecision = true;
+	few.mesh.positions = rounded<float>(given.mesh.positions);
+	PanelSewing rounds{single, limits, {}, tests}, begins{few, limits, {}, tests};
+	const SewnPanels sewn = rounds.sew(plannedWith(2), false);
+	const PlannedSurface planned = {few.mesh, few.origins, withPanels(few.mesh, strips(few.mesh, 2))};
+	EXPECT_EQ(sewn.meanDisplacement, begins.sew(planned, false).meanDisplacement);
+	EXPECT_NE(sewn.meanDisplacement, sewing.sew(plannedWith(2), false).meanDisplacement);
+}
+
 /// With a material, what is brief is less than the whole; so it is on coarse levels.
 TEST_F(PanelSewingTest, RunsAgainWhatWasBrief) {
 	CutOptions strained;

@@ -37,6 +37,9 @@ TYPED_TEST(MeshReader, ReadsPositionsAndTrianglesAsTheyAre) {
 	const TriangleMesh read = readTriangles(this->mesh);
 	EXPECT_EQ(read.triangles, shape.triangles);
 	EXPECT_EQ(read.positions, rounded<typename TestFixture::Scalar>(shape.positions));
+	EXPECT_EQ(read.singlePrecision, sizeof(typename TestFixture::Scalar) == sizeof(float));
+	fill(this->mesh, makeMesh(rounded<float>(shape.positions), shape.triangles));
+	EXPECT_TRUE(readTriangles(this->mesh).singlePrecision);
 }
 
 TYPED_TEST(MeshReader, LeavesOutDeletedFacesAndVertices) {

@@ -51,4 +51,14 @@ Scalar narrowed(double value) {
 	return static_cast<Scalar>(std::clamp(value, -most, most));
 }
 
+/// Coordinates as a mesh with that scalar holds them.
+/// \param lengthExponent  of the mesh that they are to be written to
+template <class Scalar, class Coordinates>
+typename Coordinates::PlainObject rounded(const Eigen::DenseBase<Coordinates>& coordinates,
+										  int lengthExponent = 0) {
+	return coordinates.derived().unaryExpr([=](double x) {
+		return inWorkingUnits(lengthExponent, double(narrowed<Scalar>(inMeshUnits(lengthExponent, x))));
+	});
+}
+
 } // namespace developable

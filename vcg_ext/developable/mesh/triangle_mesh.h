@@ -32,6 +32,10 @@ struct TriangleMesh {
 	/// tell.
 	double leastHeightRatio = 1e-12;
 
+	/// Whether all coordinates are numbers of single precision: so are those of points that are put in, and
+	/// any host reads them to the last bit.
+	bool singlePrecision = false;
+
 	/// Positions times 2 to this power are those of the mesh that was read; see length_unit.h.
 	int lengthExponent = 0;
 

@@ -122,6 +122,7 @@ std::vector<int> verticesInOrder(const TriangleMesh& mesh, const Cells& cells,
 
 CanonicalForm::CanonicalForm(const GivenPatches& given) : given_(given) {
 	form_.mesh = given.mesh;
+	form_.mesh.singlePrecision = false;
 	const AreaMoments moments = areaMoments(given.mesh);
 	form_.mesh.positions = (given.mesh.positions.colwise() - moments.centre) / moments.radius();
 	const double side = cellSide(form_.mesh);

@@ -52,6 +52,7 @@ GivenPatches partOf(const GivenPatches& given, const std::vector<int>& triangles
 	}
 	part.mesh.leastHeightRatio = given.mesh.leastHeightRatio;
 	part.mesh.lengthExponent = given.mesh.lengthExponent;
+	part.mesh.singlePrecision = given.mesh.singlePrecision;
 	part.vertexTaken = given.vertexTaken;
 	part.seamLength = lengthOfSharedSides(part);
 	return part;

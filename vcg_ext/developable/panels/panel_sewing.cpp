@@ -41,6 +41,14 @@ PanelSewing::PanelSewing(const GivenPatches& given, const std::vector<double>& l
 	: given_(given), limits_(limits), options_(options), tests_(tests),
 	  preferredMove_(preferredMove(assemblePatches(given.mesh, {}), limits, options)) {}
 
+TriangleMesh PanelSewing::meshOfUser(const PlannedSurface& planned) const {
+	TriangleMesh mesh = meshAsCut(planned, given_.vertexTaken);
+	mesh.singlePrecision = given_.mesh.singlePrecision;
+	if (mesh.singlePrecision)
+		mesh.positions = rounded<float>(mesh.positions, mesh.lengthExponent);
+	return mesh;
+}
+
 void PanelSewing::lessRoomAfter(const SewnPanels& sewn, const CutSurface& surface) {
 	constexpr double least = 0.6, leastFactor = 0.85;
 	double farthest = 1; // share of the limit
@@ -57,7 +65,7 @@ void PanelSewing::lessRoomAfter(const SewnPanels& sewn, const CutSurface& surfac
 }
 
 SewnPanels PanelSewing::sew(const PlannedSurface& planned, bool brief) {
-	const TriangleMesh mesh = meshAsCut(planned, given_.vertexTaken);
+	const TriangleMesh mesh = meshOfUser(planned);
 	Asked asked{{mesh.positions.data(), mesh.positions.data() + mesh.positions.size()},
 				{mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size()},
 				planned.surface.panels()};

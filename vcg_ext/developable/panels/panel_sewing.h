@@ -23,13 +23,16 @@ public:
 
 	/// What overlaps where a shape that was sewn before is laid flat with the cuts that there are now.
 	SewnPanels look(const PlannedSurface& planned, const SewnPanels& shape) const {
-		return overlapsOfShape(meshAsCut(planned, given_.vertexTaken), planned.surface, shape);
+		return overlapsOfShape(meshOfUser(planned), planned.surface, shape);
 	}
 
 	/// What sewing took, in units of WorkBudget.
 	double work() const { return work_; }
 
 private:
+	/// As the user will have it: where a run ends hangs on the last digits of points on edges.
+	TriangleMesh meshOfUser(const PlannedSurface& planned) const;
+
 	/// On finer levels detail takes room: where a run on the surface itself comes too far, brief ones have
 	/// less of it from then on.
 	void lessRoomAfter(const SewnPanels& sewn, const CutSurface& surface);

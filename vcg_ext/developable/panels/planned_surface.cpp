@@ -38,6 +38,7 @@ GivenPatches separatePatches(const TriangleMesh& mesh, const PatchOptions& patch
 	result.mesh.vertexSelected.assign(given.copyCount(), 0);
 	result.mesh.leastHeightRatio = mesh.leastHeightRatio;
 	result.mesh.lengthExponent = mesh.lengthExponent;
+	result.mesh.singlePrecision = mesh.singlePrecision;
 	result.mesh.face = given.faceOfTriangle;
 	result.origins.resize(given.copyCount());
 	std::vector<char> worked(mesh.triangleCount(), 0);

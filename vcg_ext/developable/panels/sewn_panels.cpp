@@ -205,16 +205,19 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 	refuseOverlaps(shape, shape.originalPositions + carried, surface, panelOfPatch, result);
 }
 
-/// With zero strain, as the user will.
+/// With zero strain, as the user will. What is laid flat then has as many digits as the user's mesh.
 void developWholly(const PatchAssembly& assembly, const CutSurface& surface,
 				   const ConstrainedNewtonOptions& options, const std::vector<double>& limits,
-				   SewnPanels& result, const Progress& progress) {
+				   bool singlePrecision, SewnPanels& result, const Progress& progress) {
 	const std::vector<int> panelOfPatch = panelsOfPatches(assembly, surface);
 	Positions positions = assembly.originalPositions;
 	result.work += constrainedNewton(assembly, positions, options, progress).work;
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
-	if (judgeCurvature(options, panelOfPatch, limits, result))
-		refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
+	if (!judgeCurvature(options, panelOfPatch, limits, result))
+		return;
+	if (singlePrecision)
+		positions = rounded<float>(positions, assembly.lengthExponent);
+	refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
 }
 
 /// With a material.
@@ -325,7 +328,7 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	if (result.coarse)
 		developCoarsely(assembly, surface, options, limits, result, progress);
 	else
-		developWholly(assembly, surface, options, limits, result, progress);
+		developWholly(assembly, surface, options, limits, mesh.singlePrecision, result, progress);
 	return result;
 }
 

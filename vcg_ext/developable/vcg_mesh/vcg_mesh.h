@@ -126,9 +126,9 @@ void chooseUnit(TriangleMesh& mesh) {
 template <class MeshType>
 TriangleMesh readTriangles(const MeshType& mesh, SeamKind seams = SeamKind::ConnectedComponents) {
 	TriangleMesh result;
-	// Heights are lost sooner where coordinates are float.
-	if (std::is_same_v<typename MeshType::ScalarType, float>)
-		result.leastHeightRatio = 1e-6;
+	constexpr bool isFloat = std::is_same_v<typename MeshType::ScalarType, float>;
+	if (isFloat)
+		result.leastHeightRatio = 1e-6; // heights are lost sooner
 	const int vertexCount = static_cast<int>(mesh.vert.size());
 	result.positions = Positions::Zero(3, vertexCount);
 	result.vertexSelected.assign(vertexCount, 0);
@@ -139,6 +139,7 @@ TriangleMesh readTriangles(const MeshType& mesh, SeamKind seams = SeamKind::Conn
 		result.positions.col(vertex) << source.cP()[0], source.cP()[1], source.cP()[2];
 		result.vertexSelected[vertex] = source.IsS();
 	}
+	result.singlePrecision = isFloat || result.positions == rounded<float>(result.positions);
 	result.triangles.resize(3, mesh.fn);
 	result.triangleSelected.reserve(mesh.fn);
 	result.face.reserve(mesh.fn);
@@ -165,16 +166,6 @@ PatchAssembly readPatches(const MeshType& mesh, const PatchOptions& options = {}
 	PatchOptions inUnits = options;
 	inUnits.weldDistance = inWorkingUnits(read.lengthExponent, options.weldDistance);
 	return assemblePatches(read, inUnits);
-}
-
-/// Coordinates as a mesh with that scalar holds them.
-/// \param lengthExponent  of the mesh that they are to be written to
-template <class Scalar, class Coordinates>
-typename Coordinates::PlainObject rounded(const Eigen::DenseBase<Coordinates>& coordinates,
-										  int lengthExponent = 0) {
-	return coordinates.derived().unaryExpr([=](double x) {
-		return inWorkingUnits(lengthExponent, double(narrowed<Scalar>(inMeshUnits(lengthExponent, x))));
-	});
 }
 
 /// Writes the places' positions to all their mesh vertices; other vertices are left alone.
