@@ -29,7 +29,7 @@ std::vector<int> partOfTriangles(const TriangleMesh& mesh) {
 	return result;
 }
 
-GivenPatches partOf(const GivenPatches& given, const std::vector<int>& triangles) {
+GivenPatches partWith(const GivenPatches& given, const std::vector<int>& triangles) {
 	GivenPatches part;
 	part.mesh.triangles.resize(3, triangles.size());
 	std::map<int, int> numbers;
@@ -123,7 +123,7 @@ std::vector<GivenPatches> partsOf(const GivenPatches& given) {
 	std::vector<GivenPatches> parts;
 	parts.reserve(triangles.size());
 	for (const std::vector<int>& own : triangles)
-		parts.push_back(partOf(given, own));
+		parts.push_back(partWith(given, own));
 	return parts;
 }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// panel_search.h: from clusters of several sizes to panels that hold.
+#pragma once
+
+#include "found_panels.h"
+#include "panel_plan.h"
+
+namespace developable::detail {
+
+/// What panels are looked for on.
+struct SearchInput {
+	const GivenPatches& patches;
+	const std::vector<double>& limits; ///< per patch, how far its panels may move, length
+	const CutOptions& options;
+};
+
+/// Of the panels that were joined first so many may not hold when they are sewn together: others can be
+/// mended. Where more do not, as on shapes with limbs and fine detail, panels pull at each other all over.
+inline constexpr std::size_t fewFailures = 2;
+
+FoundPanels foundBy(const PanelPlan& plan, bool hold);
+FoundPanels stoppedPanels();
+
+/// What holds, fewer panels, shorter seams.
+bool isBetter(const FoundPanels& a, const FoundPanels& b);
+
+/// From clusters on, those first that promise most.
+/// \param confirmed  what is found should also hold as the user will have it
+FoundPanels searchPanels(const SearchInput& input, bool confirmed, const Progress& progress);
+
+} // namespace developable::detail
