@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cut into Developable Panels in meshlabserver 2020.09, which computes in float: what it promises, the filters
-after it keep."""
+"""Cut into Developable Panels in meshlabserver 2020.09, which computes in float: what it promises, the
+filters after it keep."""
 
 import re
 

@@ -39,7 +39,7 @@ TEST_F(SmoothedPatchesTest, arePointForPointWhatWasGivenOnceCarriedBack) {
 	const int a = mesh.triangles(0, 0), b = mesh.triangles(1, 0);
 	origins.push_back({a, b, 0.25});
 	mesh.positions.conservativeResize(3, mesh.vertexCount() + 1);
-	mesh.positions.rightCols<1>() = detail::pointAt(origins.back(), smoothed.patches().mesh.positions);
+	mesh.positions.rightCols<1>() = pointAt(origins.back(), smoothed.patches().mesh.positions);
 	PlannedSurface planned{mesh, origins, withPanels(mesh, strips(mesh, 2))};
 	std::vector<int> open;
 	for (const detail::SeamChain& chain : detail::seamChains(planned.surface))
@@ -72,7 +72,7 @@ TEST(SmoothedPatches, areWherePanelsAreLookedFor) {
 	const PlannedSurface& best = found.planned.front();
 	EXPECT_LE(best.surface.usedPanelCount(), 4);
 	for (int vertex = 0; vertex < best.mesh.vertexCount(); ++vertex)
-		EXPECT_EQ(best.mesh.positions.col(vertex), detail::pointAt(best.origins[vertex], mesh.positions));
+		EXPECT_EQ(best.mesh.positions.col(vertex), pointAt(best.origins[vertex], mesh.positions));
 }
 
 } // namespace

@@ -75,7 +75,7 @@ void NewtonStrategy::beginNearFairShape(double fairness) {
 NewtonStrategy NewtonStrategy::coarser(const Level& level) const {
 	NewtonStrategy result = *this;
 	if (!isCoarse_) {
-		if (level.isWithoutDetail)
+		if (isWithoutDetail(level))
 			result.tuning_.preferredLength =
 				preferredMove(level.assembly) - roomOfDetail(level.assembly, *level.fair);
 		result.goal_.farthest *= tuning_.coarseRoom;
@@ -136,7 +136,6 @@ void NewtonStrategy::leaveDetail(Level& level) const {
 	if (!assembly.isSewn() || tuning_.isCoarsest(assembly.placeCount(), tuning_.fewestTogether()))
 		return;
 	level.fair = withoutDetail(assembly, preferredMove(assembly), tuning_, memoryLimit_);
-	level.isWithoutDetail = level.fair.has_value();
 }
 
 NewtonStrategy::Level NewtonStrategy::levelOf(const PatchAssembly& assembly, double coarseness) const {
@@ -193,7 +192,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 	const int coarsest = assembly.isSewn() ? tuning_.fewestTogether() : tuning_.coarsest;
 	if (tuning_.isCoarsest(places, coarsest))
 		return solveCoarsest(level, start, progress);
-	const PatchAssembly& shape = level.isWithoutDetail ? level.reference() : assembly;
+	const PatchAssembly& shape = isWithoutDetail(level) ? level.reference() : assembly;
 	const PartialAssembly coarse =
 		Coarsening(shape, tuning_).coarsen(coarserPlaces(places, coarsest, tuning_));
 	if (coarse.assembly.placeCount() > tuning_.leastReduction * places)

@@ -50,7 +50,6 @@ private:
 		const PatchAssembly& assembly;
 		double coarseness;                 ///< edges are so many times as long as on the finest level
 		std::optional<PatchAssembly> fair; ///< what the shape is to be near; the original where there is none
-		bool isWithoutDetail = false;      ///< the original is, there, and nothing else is fair about it
 
 		const PatchAssembly& reference() const { return fair ? *fair : assembly; }
 	};
@@ -61,6 +60,8 @@ private:
 	Level levelOf(const PatchAssembly& assembly, double coarseness) const;
 	/// Where coarser levels will follow, of panels that are sewn together: they would take noise for shape.
 	void leaveDetail(Level& level) const;
+	/// Whether that is all that is fair about what its shape is to be near.
+	bool isWithoutDetail(const Level& level) const { return level.fair && !isNearFairShape(); }
 	std::unique_ptr<NewtonProblem> problemOf(const Level& level) const;
 	/// One whose solution begins at that of a coarser level.
 	std::unique_ptr<NewtonProblem> fineProblemOf(const Level& level) const;

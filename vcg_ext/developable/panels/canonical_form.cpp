@@ -138,10 +138,7 @@ CanonicalForm::CanonicalForm(const GivenPatches& given) : given_(given) {
 		std::iota(triangles_.begin(), triangles_.end(), 0);
 		firstCorner_.assign(triangles_.size(), 0);
 	}
-	for (int vertex = 0; vertex < given.mesh.vertexCount(); ++vertex)
-		form_.origins.push_back({vertex, vertex, 0});
-	std::iota(form_.mesh.face.begin(), form_.mesh.face.end(), 0);
-	form_.vertexTaken.assign(vertices_.size(), 0);
+	numberByThemselves(form_);
 	form_.seamLength = inForm(given.seamLength);
 }
 
@@ -198,16 +195,7 @@ PlannedSurface CanonicalForm::carriedBack(const PlannedSurface& planned) const {
 		mesh.positions.col(now) = pointAt({first, second, origin.share}, given_.mesh.positions);
 		origins[now] = {given_.origins[first].first, given_.origins[second].first, origin.share};
 	}
-	PlannedSurface result{mesh, std::move(origins), CutSurface(assemblePatches(mesh, {}))};
-	std::vector<int> labels;
-	labels.reserve(order.size());
-	for (const int before : order)
-		labels.push_back(planned.surface.panelOf(before));
-	result.surface.relabel(labels);
-	for (int h = 0; h < 3 * mesh.triangleCount(); ++h)
-		if (planned.surface.isCut(cornerBefore[h]) && !result.surface.isCut(h))
-			result.surface.setCut(h, true);
-	return result;
+	return withPanelsOf(planned.surface, std::move(mesh), std::move(origins), cornerBefore);
 }
 
 } // namespace developable::detail

@@ -14,6 +14,13 @@ struct VertexOrigin {
 	double share = 0;
 };
 
+/// \param positions  of the vertices of the mesh before, 3 x vertices
+inline Eigen::Vector3d pointAt(const VertexOrigin& origin, const Eigen::Matrix3Xd& positions) {
+	if (origin.first == origin.second)
+		return positions.col(origin.first);
+	return (1 - origin.share) * positions.col(origin.first) + origin.share * positions.col(origin.second);
+}
+
 /// The triangles that were worked on after the cut, and the vertices that they have.
 struct CutMesh {
 	int verticesBefore = 0;

@@ -15,7 +15,7 @@ namespace {
 constexpr double defaultDisplacement = 0.02; ///< of the diagonal of a part
 
 /// Lengths that should be equal become so to the last bit.
-double rounded(double length) {
+double withoutLastDigits(double length) {
 	constexpr double parts = 0x1p26;
 	int exponent = 0;
 	const double mantissa = std::frexp(length, &exponent);
@@ -58,7 +58,7 @@ std::vector<double> displacementLimits(const CanonicalForm& form, double maxDisp
 		maxDisplacement >= 0
 			? std::vector<double>(assembly.patchCount(), form.inForm(maxDisplacement))
 			: defaultLimits(assembly, [&](const Positions& points) { return sizeOf(form, points); });
-	std::transform(limits.begin(), limits.end(), limits.begin(), rounded);
+	std::transform(limits.begin(), limits.end(), limits.begin(), withoutLastDigits);
 	return limits;
 }
 

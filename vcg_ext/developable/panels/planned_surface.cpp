@@ -8,10 +8,13 @@
 
 namespace developable::detail {
 
-Eigen::Vector3d pointAt(const VertexOrigin& origin, const Positions& positions) {
-	if (origin.first == origin.second)
-		return positions.col(origin.first);
-	return (1 - origin.share) * positions.col(origin.first) + origin.share * positions.col(origin.second);
+void numberByThemselves(GivenPatches& patches) {
+	patches.origins.clear();
+	for (int vertex = 0; vertex < patches.mesh.vertexCount(); ++vertex)
+		patches.origins.push_back({vertex, vertex, 0});
+	patches.mesh.face.resize(patches.mesh.triangleCount());
+	std::iota(patches.mesh.face.begin(), patches.mesh.face.end(), 0);
+	patches.vertexTaken.assign(patches.mesh.vertexCount(), 0);
 }
 
 double lengthOfSharedSides(const GivenPatches& given) {
@@ -57,6 +60,19 @@ GivenPatches separatePatches(const TriangleMesh& mesh, const PatchOptions& patch
 		for (int corner = 0; corner < 3 && !worked[t]; ++corner)
 			result.vertexTaken[mesh.triangles(corner, t)] = 1;
 	return result;
+}
+
+PlannedSurface withPanelsOf(const CutSurface& surface, TriangleMesh mesh, std::vector<VertexOrigin> origins,
+							const std::vector<int>& halfEdge) {
+	CutSurface same(assemblePatches(mesh, {}));
+	std::vector<int> labels;
+	for (std::size_t corner = 0; corner < halfEdge.size(); corner += 3)
+		labels.push_back(surface.panelOf(triangleOf(halfEdge[corner])));
+	same.relabel(labels);
+	for (std::size_t h = 0; h < halfEdge.size(); ++h)
+		if (surface.isCut(halfEdge[h]) && !same.isCut(static_cast<int>(h)))
+			same.setCut(static_cast<int>(h), true);
+	return {std::move(mesh), std::move(origins), std::move(same)};
 }
 
 CutMesh cutMesh(const PlannedSurface& planned, const std::vector<char>& vertexTaken) {

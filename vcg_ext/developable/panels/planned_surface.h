@@ -16,8 +16,8 @@ struct GivenPatches {
 	double seamLength = 0;             ///< between patches that share vertices
 };
 
-/// \param positions  of the vertices of the mesh before, 3 x vertices
-Eigen::Vector3d pointAt(const VertexOrigin& origin, const Positions& positions);
+/// Its vertices and triangles are their own origins, and no others have any.
+void numberByThemselves(GivenPatches& patches);
 
 /// Of the sides of different patches that have both ends in common on the mesh that was given, length.
 double lengthOfSharedSides(const GivenPatches& given);
@@ -30,6 +30,11 @@ struct PlannedSurface {
 	std::vector<VertexOrigin> origins; ///< per vertex, on the mesh that was given
 	CutSurface surface;
 };
+
+/// A surface's panels, seams and darts on a mesh with the same triangles in another order.
+/// \param halfEdge  per half edge of the mesh, that of the surface
+PlannedSurface withPanelsOf(const CutSurface& surface, TriangleMesh mesh, std::vector<VertexOrigin> origins,
+							const std::vector<int>& halfEdge);
 
 /// \param vertexTaken  as of the patches that were given
 CutMesh cutMesh(const PlannedSurface& planned, const std::vector<char>& vertexTaken);

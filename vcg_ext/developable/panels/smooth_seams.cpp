@@ -2,8 +2,6 @@
 // smooth_seams.cpp: crossings on edges, then triangles in two, three or four.
 #include "smooth_seams.h"
 
-#include "planned_surface.h"
-
 #include <algorithm>
 #include <map>
 #include <set>

@@ -17,10 +17,7 @@ SmoothedPatches::SmoothedPatches(const GivenPatches& given, const std::vector<do
 	for (int corner = 0; corner < 3 * assembly_.triangleCount(); ++corner)
 		smooth_.mesh.positions.col(vertexAt(given.mesh, corner)) =
 			smoothed_->originalPositions.col(assembly_.placeAt(corner));
-	for (int vertex = 0; vertex < given.mesh.vertexCount(); ++vertex)
-		smooth_.origins[vertex] = {vertex, vertex, 0};
-	std::iota(smooth_.mesh.face.begin(), smooth_.mesh.face.end(), 0);
-	smooth_.vertexTaken.assign(given.mesh.vertexCount(), 0);
+	numberByThemselves(smooth_);
 }
 
 std::vector<double> SmoothedPatches::limits() const {
@@ -41,12 +38,9 @@ PlannedSurface SmoothedPatches::carriedBack(const PlannedSurface& planned) const
 	}
 	for (int& face : mesh.face)
 		face = given_.mesh.face[face];
-	PlannedSurface result{mesh, std::move(origins), CutSurface(assemblePatches(mesh, {}))};
-	result.surface.relabel(planned.surface.panels());
-	for (int h = 0; h < 3 * mesh.triangleCount(); ++h)
-		if (planned.surface.isCut(h) && !result.surface.isCut(h))
-			result.surface.setCut(h, true);
-	return result;
+	std::vector<int> same(3 * mesh.triangleCount());
+	std::iota(same.begin(), same.end(), 0);
+	return withPanelsOf(planned.surface, std::move(mesh), std::move(origins), same);
 }
 
 } // namespace developable::detail

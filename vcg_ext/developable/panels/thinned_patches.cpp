@@ -26,8 +26,6 @@ TriangleMesh meshOf(const PatchAssembly& assembly, const TriangleMesh& given) {
 	mesh.positions = assembly.originalPositions(Eigen::all, assembly.placeOfCopy);
 	mesh.triangles = assembly.triangleCopies;
 	mesh.vertexSelected.assign(mesh.vertexCount(), 0);
-	mesh.face.resize(mesh.triangleCount());
-	std::iota(mesh.face.begin(), mesh.face.end(), 0);
 	mesh.leastHeightRatio = given.leastHeightRatio;
 	mesh.lengthExponent = given.lengthExponent;
 	std::vector<int> all(mesh.triangleCount());
@@ -51,9 +49,7 @@ ThinnedPatches::ThinnedPatches(const GivenPatches& given, int places)
 	: given_(given), assembly_(assemblePatches(given.mesh, {})) {
 	const PartialAssembly coarse = coarserLevel(assembly_, places);
 	thin_.mesh = meshOf(coarse.assembly, given.mesh);
-	for (int vertex = 0; vertex < thin_.mesh.vertexCount(); ++vertex)
-		thin_.origins.push_back({vertex, vertex, 0});
-	thin_.vertexTaken.assign(thin_.mesh.vertexCount(), 0);
+	numberByThemselves(thin_);
 	thin_.seamLength = given.seamLength;
 	for (const int patch : coarse.assembly.patchOfTriangle)
 		patchGiven_.push_back(coarse.wholePatch[patch]);
