@@ -205,7 +205,8 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 	refuseOverlaps(shape, shape.originalPositions + carried, surface, panelOfPatch, result);
 }
 
-/// With zero strain, as the user will. What is laid flat then has as many digits as the user's mesh.
+/// With zero strain, as the user will. In single precision what came of it may be laid flat before it is
+/// stored, or afterwards.
 void developWholly(const PatchAssembly& assembly, const CutSurface& surface,
 				   const ConstrainedNewtonOptions& options, const std::vector<double>& limits,
 				   bool singlePrecision, SewnPanels& result, const Progress& progress) {
@@ -215,8 +216,10 @@ void developWholly(const PatchAssembly& assembly, const CutSurface& surface,
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
 	if (!judgeCurvature(options, panelOfPatch, limits, result))
 		return;
-	if (singlePrecision)
-		positions = rounded<float>(positions, assembly.lengthExponent);
+	refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
+	if (!singlePrecision || worstOf(result) >= 0)
+		return;
+	positions = rounded<float>(positions, assembly.lengthExponent);
 	refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
 }
 
