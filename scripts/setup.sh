@@ -73,5 +73,9 @@ build() {
 targets=("$@")
 if ((${#targets[@]} == 0)); then targets=("${all_targets[@]}"); fi
 provide_library
+alone "$build_root/.library.lock" build library & # what targets need besides is fetched meanwhile
+library=$!
+trap wait EXIT
 for target in "${targets[@]}"; do provide_host "$target"; done
-for target in library "${targets[@]/#demo/pymeshlab-2025.7}"; do alone "$build_root/.$target.lock" build "$target"; done
+wait "$library"
+for target in "${targets[@]/#demo/pymeshlab-2025.7}"; do alone "$build_root/.$target.lock" build "$target"; done
