@@ -50,6 +50,7 @@ TEST(BorderOverlaps, AreNamedWhereTheWorkIsSpent) {
 	Positions positions = assembly.originalPositions;
 	ConstrainedNewtonOptions options;
 	options.tuning.workPerPlace = options.tuning.workOnSmall = 0;
+	options.tuning.curvatureSteps = 0;
 	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, options);
 	expectBlamesBorder(report, Status::NeedsCut, positions);
 	EXPECT_EQ(report.patchesNeedingCut, 1);

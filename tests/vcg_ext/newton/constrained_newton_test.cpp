@@ -180,6 +180,7 @@ TEST(ConstrainedNewton, LeavesLessCurvatureByLeastSquares) {
 	const auto left = [&](int leastSquares) {
 		ConstrainedNewtonOptions options;
 		options.tuning.leastSquares = leastSquares;
+		options.tuning.curvatureSteps = 0;
 		Positions positions = assembly.originalPositions;
 		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::NeedsCut);
 		expectSound(assembly, positions);

@@ -30,6 +30,9 @@ public:
 	/// \param defects  flatDefects there
 	Eigen::VectorXd scaled(const Eigen::VectorXd& defects, const Positions& positions) const;
 
+	/// What each row is scaled by, none 0.
+	const Eigen::VectorXd& rowScale() const { return rowScale_; }
+
 	/// For massProduct.
 	void setPlaceMass(const Eigen::VectorXd& placeMass) { inverseMass_ = placeMass.cwiseInverse(); }
 

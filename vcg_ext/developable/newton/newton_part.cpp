@@ -5,6 +5,7 @@
 #include "closer_runs.h"
 #include "displacement_metric.h"
 #include "frozen_panels.h"
+#include "least_curvature.h"
 #include "other_levels.h"
 
 namespace developable::detail {
@@ -115,6 +116,7 @@ bool anyFree(const PatchAssembly& part) {
 
 PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 					  const ConstrainedNewtonOptions& options, const Progress& progress) {
+	constexpr double shareBefore = 0.85; // of the time
 	const double farthest = farthestAllowed(part, options.maxDisplacement);
 	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance, farthest};
 	const bool startsNear = farthestMove(part, start) <= farthest;
@@ -128,8 +130,11 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 		return result;
 	}
 	const bool isTight = farthest < farthestAllowed(part, -1) && mayComeCloser(part, options.tuning);
-	NewtonOutcome outcome =
-		(isTight ? solvePreferringFirst : solveWithin)(part, result.positions, options, goal, progress);
+	NewtonOutcome outcome = (isTight ? solvePreferringFirst : solveWithin)(
+		part, result.positions, options, goal, partOf(progress, 0, shareBefore));
+	if (outcome.ending == Ending::Stuck && options.tuning.curvatureSteps > 0 && !holdsPlaces(part))
+		lowerCurvature(part, result.positions, strategyFor(options, goal), outcome,
+					   partOf(progress, shareBefore, 1, "what is left: "));
 	// Of several panels the last may get there on the others' way.
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
 		outcome.ending = Ending::Reached;

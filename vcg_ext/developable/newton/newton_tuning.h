@@ -93,6 +93,14 @@ struct NewtonTuning {
 	double normalShortStep = 0.3;    ///< length below which a step is short
 	int normalHalvings = 7;          ///< of a step until ε is raised instead
 
+	// Steps along the normals to the least curvature, where there is no way to none.
+	int curvatureSteps = 30;            ///< 0: none are taken
+	double curvatureWorkPerPlace = 400; ///< in units of WorkBudget
+	double curvatureSharpening = 0.7;   ///< of δ from a step to the next; it begins with the mean |g|
+	double curvatureSharpest = 0.01;    ///< share of that
+	double curvatureIdle = 0.995;       ///< share of C that is left by a step that changes next to nothing
+	double curvatureGood = 0.9;         ///< share of C that a good step leaves at most
+
 	// Local steps, where a whole step leaves too much near few places.
 	int localPlaces = 20000;       ///< more, for steps along the normals: fewer are quick without
 	double localRows = 0.1;        ///< share of all rows: more are not local

@@ -7,7 +7,7 @@
 namespace developable::detail {
 
 NormalSteps::NormalSteps(NewtonProblem& problem, NewtonRun& run, double farthest)
-	: problem_(problem), run_(run), farthest_(farthest) {}
+	: problem_(problem), run_(run), farthest_(farthest), step_(problem) {}
 
 void NormalSteps::allowLocalSteps() {
 	const NewtonTuning& tuning = problem_.tuning();
@@ -34,7 +34,7 @@ Ending NormalSteps::go() {
 		if (!run_.takeCheapStep())
 			return Ending::OutOfSteps;
 		const double before = squaredDefects();
-		const double length = factorize() ? stepsWithOneFactorization() : 0;
+		const double length = step_.factorize(run_.shape(), {}, epsilon_) ? stepsWithOneFactorization() : 0;
 		const double share = squaredDefects() / before;
 		idle = share > tuning.normalIdle ? idle + 1 : 0;
 		if (idle == tuning.normalPatience)
@@ -56,36 +56,11 @@ double NormalSteps::epsilonFactor(double shareLeft, double length) const {
 	return length < tuning.normalShortStep ? tuning.normalIncrease : 1;
 }
 
-bool NormalSteps::factorize() {
-	const Positions& positions = run_.shape().positions;
-	const NewtonTuning& tuning = problem_.tuning();
-	problem_.jacobian().linearize(positions);
-	normals_ = placeNormals(problem_.assembly(), positions);
-	along_ = problem_.jacobian().along(normals_);
-	if (epsilon_ == 0) // normals are one long, so W and NᵀWN have the same trace
-		epsilon_ = tuning.firstDamping * along_.squaredNorm() / problem_.metric().matrix().diagonal().sum();
-	NormalSystem& system = problem_.normalSystem();
-	for (int i = 0; system.factorize(along_, normals_, problem_.metric().matrix(), epsilon_); ++i) {
-		problem_.budget().spendOperations(system.operations());
-		problem_.budget().spend(problem_.assembly().placeCount());
-		firstStep_ = wholeStep();
-		if (i == tuning.stiffenings || problem_.metric().tooStiff() ||
-			!problem_.stiffenFor(positions + firstStep_))
-			return true;
-	}
-	return false;
-}
-
-Positions NormalSteps::wholeStep() const {
-	const Eigen::VectorXd downward = -(along_.transpose() * run_.shape().scaledDefects);
-	return normals_ * problem_.normalSystem().solve(downward).asDiagonal();
-}
-
 double NormalSteps::stepWithLocalSteps() {
 	if (!mayGoLocally_)
 		return 0;
 	const double length =
-		LocalSteps(problem_, farthest_).step(run_, firstStep_, problem_.tuning().normalGood);
+		LocalSteps(problem_, farthest_).step(run_, step_.whole(), problem_.tuning().normalGood);
 	wentLocally_ = wentLocally_ || length > 0;
 	return length;
 }
@@ -93,9 +68,9 @@ double NormalSteps::stepWithLocalSteps() {
 double NormalSteps::stepsWithOneFactorization() {
 	double length = stepWithLocalSteps();
 	if (length == 0)
-		length = run_.descendDefects(firstStep_, problem_.tuning().normalHalvings, farthest_);
+		length = run_.descendDefects(step_.whole(), problem_.tuning().normalHalvings, farthest_);
 	if (length > 0)
-		run_.takeChords([&] { return run_.mayGoOn() ? wholeStep() : Positions(); }, farthest_);
+		run_.takeChords([&] { return run_.mayGoOn() ? step_.chord(run_.shape()) : Positions(); }, farthest_);
 	return length;
 }
 

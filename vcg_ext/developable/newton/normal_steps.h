@@ -3,6 +3,7 @@
 #pragma once
 
 #include "newton_run.h"
+#include "normal_step.h"
 
 namespace developable::detail {
 
@@ -27,12 +28,6 @@ private:
 	/// With local steps or without, as they may be now.
 	Ending go();
 
-	/// Of NᵀJᵀJN + ε NᵀWN at the present positions. \return whether it succeeded
-	bool factorize();
-
-	/// From the present positions, with the system as it was factorised last.
-	Positions wholeStep() const;
-
 	/// The first step, whole, with local steps where it leaves too much. \return 1, or 0 where that is no use
 	double stepWithLocalSteps();
 	/// A first step with line search, then chords. \return the first step's length, 0 when none was any good
@@ -44,8 +39,7 @@ private:
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	const double farthest_;
-	SparseMatrix along_; // J N
-	Positions normals_, firstStep_;
+	NormalStep step_;
 	double epsilon_ = 0;
 	bool mayGoLocally_ = false, wentLocally_ = false;
 };

@@ -40,6 +40,7 @@ ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
 	options.tuning.wayFarthest = farthestOnWay;
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
+	options.tuning.curvatureSteps = 0;
 	options.tuning.preferredMove = 0;
 	return options;
 }

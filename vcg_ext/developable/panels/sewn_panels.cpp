@@ -314,6 +314,7 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	const std::vector<double> limits = limitsOfPanels(surface, maxDisplacement);
 	ConstrainedNewtonOptions options;
 	options.tuning.preferredMove = preferredMove;
+	options.tuning.curvatureSteps = 0;
 	if (material.bounds.any()) {
 		developStrained(assembly, surface, material, brief, limits, result, progress);
 		return result;
