@@ -17,8 +17,10 @@ import reference_measures as reference
 from demonstrated import PANTS
 from meshlab_developable.demo.__main__ import ANGLE_TOLERANCE, METHODS, demo_inputs, run
 from meshlab_developable.demo.document import flatness, verdict
+from meshlab_developable.demo.studies import studies
 from meshlab_developable.demo.study import MAPS, Input
 from meshlab_developable.demo.study import study as study_of
+from meshlab_developable.plugin import load
 from pattern_readers import read_dxf_blocks
 
 NOISE_OF_ANGLES = 1e-4
@@ -51,6 +53,37 @@ def test_inputs_of_the_demo_exist():
     names = [source.name for source in demo_inputs()]
     assert names == ["dented_shell", "bunny10k_textured", "short_pants", "toy"]
     assert all(source.path.is_file() for source in demo_inputs())
+
+
+def written_bump(file, height):
+    """A small sheet with a bump."""
+    x, y = np.meshgrid(np.linspace(0, 1, 7), np.linspace(0, 1, 7))
+    points = np.column_stack([x.ravel(), y.ravel(), height * (np.sin(3 * x) * np.sin(3 * y)).ravel()])
+    corner = (7 * np.arange(6)[:, None] + np.arange(6)).ravel()
+    faces = [[a, a + 1, a + 8] for a in corner] + [[a, a + 8, a + 7] for a in corner]
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(points, np.array(faces)))
+    meshes.save_current_mesh(str(file))
+    return Input(file, "A bump.")
+
+
+def test_inputs_side_by_side_come_out_as_one_by_one_and_in_order(tmp_path):
+    inputs = [written_bump(tmp_path / f"bump_{i}.ply", 0.1 + 0.1 * i) for i in range(3)]
+    [newton] = [method for method in METHODS if method.flatten]
+    together = list(studies(inputs, [newton], ANGLE_TOLERANCE, tmp_path))
+    assert [found.source for found in together] == inputs
+    load()
+    for source, found in zip(inputs, together, strict=True):
+        alone = study_of(source, [newton], ANGLE_TOLERANCE, tmp_path)
+        assert np.array_equal(found.outcomes[0].vertices, alone.outcomes[0].vertices)
+        assert found.outcomes[0].report.reason == alone.outcomes[0].report.reason
+        assert [figure.title for figure in found.figures] == [figure.title for figure in alone.figures]
+
+
+def test_what_cannot_be_read_is_said_from_beside_others_too(tmp_path):
+    inputs = [written_bump(tmp_path / "bump.ply", 0.2), Input(tmp_path / "none.ply", "Not there.")]
+    with pytest.raises(pymeshlab.PyMeshLabException):
+        list(studies(inputs, [], ANGLE_TOLERANCE, tmp_path))
 
 
 def test_result_meshes_carry_positions_map_and_colours(study, folder):

@@ -12,9 +12,9 @@ import pymeshlab
 
 from meshlab_developable.demo.chart import write_histogram
 from meshlab_developable.demo.document import flatness, seams, verdict, write_html, write_text
-from meshlab_developable.demo.study import MAPS_OF_PANELS, Input, Method, Study, study
+from meshlab_developable.demo.studies import studies
+from meshlab_developable.demo.study import Input, Method, Study
 from meshlab_developable.errors import DevelopableError
-from meshlab_developable.plugin import load
 from meshlab_developable.rendering import View
 
 ANGLE_TOLERANCE = 0.01  # rad, the paper's
@@ -72,12 +72,11 @@ def demo_inputs() -> list[Input]:
 
 def run(inputs: Sequence[Input], methods: Sequence[Method], folder: Path) -> list[Study]:
     """Study each input and write everything into the folder. Raises what the filters raise."""
-    load()
     folder.mkdir(parents=True, exist_ok=True)
-    studies, histograms = [], []
-    for source in inputs:
+    all_studies, histograms = [], []
+    for result in studies(inputs, methods, ANGLE_TOLERANCE, folder):
+        source = result.source
         print(f"{source.name}: {source.what}", flush=True)
-        result = _studied(source, methods, folder)
         if result.cut:
             print(f"  {seams(result.cut, source.unit)}")
         for outcome in result.outcomes:
@@ -87,18 +86,10 @@ def run(inputs: Sequence[Input], methods: Sequence[Method], folder: Path) -> lis
                 print(f"    {flatness(outcome.pattern)}", flush=True)
         histograms.append(folder / f"{source.name}_histogram.svg")
         write_histogram(histograms[-1], result.angle_defects, ANGLE_TOLERANCE)
-        studies.append(result)
-    write_html(folder / "report.html", studies, histograms)
-    write_text(folder / "report.txt", studies)
-    return studies
-
-
-def _studied(source: Input, methods: Sequence[Method], folder: Path) -> Study:
-    """Panels of a cut are for the methods that go all the way, which can be laid flat."""
-    if source.cut:
-        flat = [method for method in methods if method.flatten]
-        return study(source, flat, ANGLE_TOLERANCE, folder, MAPS_OF_PANELS)
-    return study(source, methods, ANGLE_TOLERANCE, folder)
+        all_studies.append(result)
+    write_html(folder / "report.html", all_studies, histograms)
+    write_text(folder / "report.txt", all_studies)
+    return all_studies
 
 
 def main() -> int:
