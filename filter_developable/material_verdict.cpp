@@ -124,9 +124,12 @@ void addStrains(Results& results, const FlattenReport& report) {
 std::vector<PanelStrain> judgeMaterial(FilterCall& call, const PatchAssembly& assembly,
 									   const Positions& positions, const KnownPatterns& known,
 									   Results& results) {
+	constexpr int enough = 30; // steps: a shape that takes more folds, and its strain says so by then
 	FlattenOptions options;
 	options.bounds = strainBounds(call.values);
 	options.grain = chosenGrain(call.values);
+	if (!options.bounds.any())
+		options.iterations = enough;
 	try {
 		const bool isKnown = known.shape.cols() == positions.cols() && known.shape == positions;
 		const FlatPatterns patterns = isKnown ? known.patterns : flattenPatches(assembly, positions, options);
