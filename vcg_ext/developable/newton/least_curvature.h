@@ -36,8 +36,9 @@ private:
 };
 
 /// Goes on from a shape that is stuck to one with less curvature, if there is any; patches that are
-/// developable keep their places. \param start    of the whole run \param outcome  becomes what is less
-/// curved
+/// developable keep their places.
+/// \param start    of the whole run
+/// \param outcome  becomes what is less curved
 void lowerCurvature(const PatchAssembly& part, const Positions& start, const NewtonStrategy& strategy,
 					NewtonOutcome& outcome, const Progress& progress);
 
