@@ -6,7 +6,6 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import logging
-import os
 import shutil
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -22,6 +21,7 @@ from meshlab_developable.batch.records import Job, Row, State, read_record, writ
 from meshlab_developable.batch.settings import Settings
 from meshlab_developable.batch.table import write_tables
 from meshlab_developable.errors import DevelopableError
+from meshlab_developable.processors import cores
 
 Finished = Callable[[Row], None]
 SECONDS_BETWEEN = 3.0  # from the first mesh to the pages, and from one writing of them to the next
@@ -59,7 +59,7 @@ def run(
         if waiting:
             with (
                 silence_logging_cmgr(logging.CRITICAL),
-                _client(scheduler, min(workers or _cores(), len(waiting))) as client,
+                _client(scheduler, min(workers or cores(), len(waiting))) as client,
             ):
                 for row in _work(client, waiting, settings):
                     rows[row.input] = row
@@ -207,7 +207,3 @@ def _job(item: Input, out: Path, scratch: Path, settings: Settings) -> Job:
         scratch=scratch,
         settings=settings,
     )
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

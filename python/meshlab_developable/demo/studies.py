@@ -11,6 +11,7 @@ from pathlib import Path
 
 from meshlab_developable.demo.study import MAPS, MAPS_OF_PANELS, Input, Method, Study, study
 from meshlab_developable.plugin import load
+from meshlab_developable.processors import cores
 
 
 def studies(
@@ -21,7 +22,7 @@ def studies(
 
     Raises what study raises.
     """
-    workers = min(len(inputs), os.cpu_count() or 1)
+    workers = min(len(inputs), cores())
     if workers <= 1:
         load()
         yield from (_studied(source, methods, angle_tolerance, folder) for source in inputs)

@@ -77,13 +77,14 @@ Eigen::ArrayXd LeastCurvature::defects(const Shape& shape) const {
 	return shape.scaledDefects.array() / problem_.jacobian().rowScale().array();
 }
 
-void lowerCurvature(const PatchAssembly& part, const Positions& start, const NewtonStrategy& strategy,
+void lowerCurvature(const PatchAssembly& part, const Positions& start,
+					const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
 					NewtonOutcome& outcome, const Progress& progress) {
-	const NewtonTuning& tuning = strategy.tuning();
-	const PatchAssembly held = heldWhereDevelopable(part, outcome.positions, strategy.goal());
-	NewtonProblem problem(held, strategy.goal(), tuning, strategy.memoryLimit());
+	const NewtonTuning& tuning = options.tuning;
+	const PatchAssembly held = heldWhereDevelopable(part, outcome.positions, goal);
+	NewtonProblem problem(held, goal, tuning, options.memoryLimit);
 	problem.setBudget(std::make_shared<WorkBudget>(workFor(part, outcome, tuning)));
-	problem.setSmoothness(strategy.smoothness());
+	problem.setSmoothness(options.smoothness);
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, outcome.positions, tuning.curvatureSteps, progress);
 	const Ending ending = LeastCurvature(problem, run).run();

@@ -2,7 +2,8 @@
 // least_curvature.h: where there is no way to g = 0, as little curvature as can be, at few places.
 #pragma once
 
-#include "newton_strategy.h"
+#include "attempts.h"
+#include "constrained_newton.h"
 #include "normal_step.h"
 
 namespace developable::detail {
@@ -39,7 +40,8 @@ private:
 /// developable keep their places.
 /// \param start    of the whole run
 /// \param outcome  becomes what is less curved
-void lowerCurvature(const PatchAssembly& part, const Positions& start, const NewtonStrategy& strategy,
+void lowerCurvature(const PatchAssembly& part, const Positions& start,
+					const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
 					NewtonOutcome& outcome, const Progress& progress);
 
 } // namespace developable::detail

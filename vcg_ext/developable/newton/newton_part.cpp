@@ -133,7 +133,7 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	NewtonOutcome outcome = (isTight ? solvePreferringFirst : solveWithin)(
 		part, result.positions, options, goal, partOf(progress, 0, shareBefore));
 	if (outcome.ending == Ending::Stuck && options.tuning.curvatureSteps > 0 && !holdsPlaces(part))
-		lowerCurvature(part, result.positions, strategyFor(options, goal), outcome,
+		lowerCurvature(part, result.positions, options, goal, outcome,
 					   partOf(progress, shareBefore, 1, "what is left: "));
 	// Of several panels the last may get there on the others' way.
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))

@@ -23,8 +23,6 @@ public:
 
 	const CurvatureGoal& goal() const { return goal_; }
 	const NewtonTuning& tuning() const { return tuning_; }
-	double smoothness() const { return smoothness_; } ///< α
-	double memoryLimit() const { return memoryLimit_; }
 
 	const WorkBudget& budget() const { return *budget_; }
 	/// What all work from now on is taken from; at first without limit.

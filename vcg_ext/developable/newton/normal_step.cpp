@@ -16,23 +16,19 @@ bool NormalStep::factorize(const Shape& shape, const Eigen::VectorXd& rowWeights
 	}
 	if (epsilon == 0) // normals are one long, so W and NᵀWN have the same trace
 		epsilon = tuning.firstDamping * along_.squaredNorm() / problem_.metric().matrix().diagonal().sum();
+	const Eigen::VectorXd downward = -(along_.transpose() * defects);
 	NormalSystem& system = problem_.normalSystem();
 	for (int i = 0; system.factorize(along_, normals_, problem_.metric().matrix(), epsilon); ++i) {
 		problem_.budget().spendOperations(system.operations());
 		problem_.budget().spend(problem_.assembly().placeCount());
-		find(defects);
+		const Eigen::VectorXd lengths = system.solve(downward);
+		whole_ = normals_ * lengths.asDiagonal();
+		slope_ = -downward.dot(lengths);
 		if (i == tuning.stiffenings || problem_.metric().tooStiff() ||
 			!problem_.stiffenFor(shape.positions + whole_))
 			return true;
 	}
 	return false;
-}
-
-void NormalStep::find(const Eigen::VectorXd& weightedDefects) {
-	const Eigen::VectorXd downward = -(along_.transpose() * weightedDefects);
-	const Eigen::VectorXd lengths = problem_.normalSystem().solve(downward);
-	whole_ = normals_ * lengths.asDiagonal();
-	slope_ = -downward.dot(lengths);
 }
 
 Positions NormalStep::chord(const Shape& shape) const {

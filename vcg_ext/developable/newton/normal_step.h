@@ -26,8 +26,6 @@ public:
 	Positions chord(const Shape& shape) const;
 
 private:
-	void find(const Eigen::VectorXd& weightedDefects);
-
 	NewtonProblem& problem_;
 	SparseMatrix along_; // R J N
 	Positions normals_, whole_;
