@@ -25,6 +25,30 @@ Eigen::VectorXd defectsByDefinition(const PatchAssembly& assembly, const Positio
 	return defects;
 }
 
+TEST(AngleDefect, OfABorderIsWhatItsAnglesExceedAFullTurnBy) {
+	// Half a ruff: its centre is on the border, where angles add up to 0.9 to 12 half turns.
+	for (const double height : {0.0, 0.5, 2.0, 10.0}) {
+		const int count = 13;
+		Positions positions = Positions::Zero(3, count + 1);
+		Eigen::Matrix3Xi triangles(3, count - 1);
+		for (int i = 0; i < count; ++i) {
+			const double angle = 0.9 * pi * i / (count - 1);
+			positions.col(i + 1) << std::cos(angle), std::sin(angle), height * (i % 2 ? 1 : -1);
+			if (i + 1 < count)
+				triangles.col(i) << 0, i + 1, i + 2;
+		}
+		const PatchAssembly assembly = assembled(makeMesh(positions, triangles));
+		double sum = 0;
+		for (const auto& places : assembly.trianglePlaces.colwise()) {
+			const Eigen::Vector3d a = positions.col(places[1]), b = positions.col(places[2]);
+			sum += std::atan2(a.cross(b).norm(), a.dot(b));
+		}
+		EXPECT_NEAR(borderAngles(assembly, positions)[assembly.triangleCopies(0, 0)], sum, 1e-12) << height;
+		EXPECT_NEAR(flatDefects(assembly, positions).minCoeff(), std::min(0.0, 2 * pi - sum), 1e-12);
+		EXPECT_EQ(flatDefects(assembly, positions).maxCoeff(), 0);
+	}
+}
+
 TEST(AngleDefect, IsZeroOnCylinderConeAndPlane) {
 	for (const Surface& surface : {Surface(flatSheet), Surface(quarterCylinder)}) {
 		const PatchAssembly assembly = assembled(grid(12, 9, surface));

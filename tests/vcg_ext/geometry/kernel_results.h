@@ -10,7 +10,8 @@ namespace developable::test {
 
 struct KernelResults {
 	Eigen::Matrix3Xd cotangents; ///< of all corners, 3 x triangles
-	Eigen::VectorXd defects;     ///< per copy
+	Eigen::Matrix3Xd normals;    ///< 3 x triangles
+	Eigen::VectorXd defects;     ///< per copy, on borders, too
 	Positions gradient;          ///< of Σ weight · g with the defects as weights, 3 x places
 };
 
@@ -19,11 +20,12 @@ template <class Number>
 KernelResults kernelResults(const PatchAssembly& assembly) {
 	const int *places = assembly.trianglePlaces.data(), triangles = assembly.triangleCount();
 	const double* positions = assembly.originalPositions.data();
-	KernelResults results{Eigen::Matrix3Xd(3, triangles), Eigen::VectorXd(assembly.copyCount()),
-						  Positions::Zero(3, assembly.placeCount())};
+	KernelResults results{Eigen::Matrix3Xd(3, triangles), Eigen::Matrix3Xd(3, triangles),
+						  Eigen::VectorXd(assembly.copyCount()), Positions::Zero(3, assembly.placeCount())};
 	detail::CotangentKernel{positions, places, triangles, results.cotangents.data()}.run<Number>();
-	detail::FanKernel{results.cotangents.data(), assembly.corners.data(),      assembly.cornerStart.data(),
-					  assembly.copyCount(),      assembly.copyInterior.data(), results.defects.data()}
+	detail::NormalKernel{positions, places, triangles, results.normals.data()}.run<Number>();
+	detail::FanKernel{results.cotangents.data(), assembly.corners.data(), assembly.cornerStart.data(),
+					  assembly.copyCount(), results.defects.data()}
 		.run<Number>();
 	detail::AngleGradientKernel{positions,
 								places,

@@ -31,6 +31,27 @@ TEST(Soundness, SeesFlipsAndSlivers) {
 	EXPECT_FALSE(soundness.holds(missing));
 }
 
+TEST(Soundness, SparesWhatIsSpoiltAfterEachRoundAsSeenAnew) {
+	const PatchAssembly assembly = assembled(jitteredGrid(20, 20, saddle));
+	NewtonTuning once;
+	once.sparingRounds = 1;
+	const detail::Soundness soundness(assembly, {}), roundByRound(assembly, once);
+	int rounds = 0;
+	for (const double size : {0.01, 0.03, 0.05, 0.2}) {
+		Positions move =
+			size * Positions(Positions::NullaryExpr(3, assembly.placeCount(), [&](auto i, auto p) {
+				return std::sin(double(7 * i + 1) * double(p * p % 101));
+			}));
+		Positions expected = move;
+		bool spared = false;
+		for (int round = 0; round < NewtonTuning().sparingRounds && !spared; ++round, ++rounds)
+			spared = roundByRound.spare(assembly.originalPositions, expected);
+		EXPECT_EQ(soundness.spare(assembly.originalPositions, move), spared) << size;
+		EXPECT_EQ(move, expected) << size;
+	}
+	EXPECT_GT(rounds, 10); // the cases are what they claim to be
+}
+
 /// A strip of triangles that is twisted once and closed: it has one side.
 TriangleMesh moebiusStrip(int columns) {
 	TriangleMesh mesh = grid(columns, 4, [](double u, double v) -> Eigen::Vector3d {

@@ -8,6 +8,24 @@
 
 namespace developable {
 
+namespace {
+
+/// 2π minus the angles at every copy.
+Eigen::VectorXd fullTurnMinusAngles(const PatchAssembly& assembly, const Positions& positions) {
+	const Eigen::Matrix3Xd cotangents = cornerCotangents(assembly, positions);
+	Eigen::VectorXd defects(assembly.copyCount());
+	detail::runWide(detail::FanKernel{cotangents.data(), assembly.corners.data(), assembly.cornerStart.data(),
+									  assembly.copyCount(), defects.data()});
+	return defects;
+}
+
+auto isInterior(const PatchAssembly& assembly) {
+	return Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>(assembly.copyInterior.data(),
+																   assembly.copyCount()) != 0;
+}
+
+} // namespace
+
 Eigen::Matrix3Xd cornerCotangents(const PatchAssembly& assembly, const Positions& positions) {
 	Eigen::Matrix3Xd result(3, assembly.triangleCount());
 	detail::runWide(detail::CotangentKernel{positions.data(), assembly.trianglePlaces.data(),
@@ -16,28 +34,18 @@ Eigen::Matrix3Xd cornerCotangents(const PatchAssembly& assembly, const Positions
 }
 
 Eigen::VectorXd angleDefects(const PatchAssembly& assembly, const Positions& positions) {
-	const Eigen::Matrix3Xd cotangents = cornerCotangents(assembly, positions);
-	Eigen::VectorXd defects(assembly.copyCount());
-	detail::runWide(detail::FanKernel{cotangents.data(), assembly.corners.data(), assembly.cornerStart.data(),
-									  assembly.copyCount(), assembly.copyInterior.data(), defects.data()});
-	return defects;
+	const Eigen::ArrayXd defects = fullTurnMinusAngles(assembly, positions);
+	return isInterior(assembly).select(defects, 0);
 }
 
 Eigen::VectorXd borderAngles(const PatchAssembly& assembly, const Positions& positions) {
-	Eigen::VectorXd angles = Eigen::VectorXd::Zero(assembly.copyCount());
-	for (int copy = 0; copy < assembly.copyCount(); ++copy)
-		for (int i = assembly.cornerStart[copy];
-			 !assembly.copyInterior[copy] && i < assembly.cornerStart[copy + 1]; ++i) {
-			const int corner = assembly.corners[i];
-			angles[copy] += triangleFrame(positions, assembly.trianglePlaces.col(triangleOf(corner)))
-								.angle(cornerInTriangle(corner));
-		}
-	return angles;
+	const Eigen::ArrayXd defects = fullTurnMinusAngles(assembly, positions);
+	return isInterior(assembly).select(0, 2 * pi - defects);
 }
 
 Eigen::VectorXd flatDefects(const PatchAssembly& assembly, const Positions& positions) {
-	return angleDefects(assembly, positions) +
-		   (2 * pi - borderAngles(assembly, positions).array()).min(0).matrix();
+	const Eigen::ArrayXd defects = fullTurnMinusAngles(assembly, positions);
+	return isInterior(assembly).select(defects, defects.min(0));
 }
 
 double detectFunction(const Eigen::VectorXd& defects) {

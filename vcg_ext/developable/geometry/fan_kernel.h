@@ -8,14 +8,13 @@
 
 namespace developable::detail {
 
-/// 2π minus the angles round every copy inside its patch, and 0 for the others.
+/// 2π minus the angles at every copy, inside its patch and on its boundary.
 struct FanKernel {
 	const double* cotangents; ///< of all corners
 	const int* corners;       ///< those of each copy
 	const int* cornerStart;   ///< copies + 1
 	int copies;
-	const char* interior; ///< per copy
-	double* defects;      ///< out, per copy
+	double* defects; ///< out, per copy
 
 	template <class Number>
 	DEVELOPABLE_INLINE void run() const {
@@ -33,12 +32,12 @@ struct FanKernel {
 			const Number results = products[group].defect();
 			total += results;
 			for (int lane = 0; lane < width<Number>; ++lane)
-				write(first + group * width<Number> + lane, at(results, lane));
+				defects[first + group * width<Number> + lane] = at(results, lane);
 		}
 		// Products of thin triangles may have grown beyond all numbers.
 		if (std::isnan(sum(total)))
 			for (int copy = first; copy < first + groups * width<Number>; ++copy)
-				write(copy, one(copy));
+				defects[copy] = one(copy);
 	}
 
 private:
@@ -69,10 +68,6 @@ private:
 	}
 
 	DEVELOPABLE_INLINE int degree(int copy) const { return cornerStart[copy + 1] - cornerStart[copy]; }
-
-	DEVELOPABLE_INLINE void write(int copy, double defect) const {
-		defects[copy] = interior[copy] ? defect : 0;
-	}
 
 	double one(int copy) const {
 		AngleSum sum;

@@ -126,6 +126,17 @@ DEVELOPABLE_INLINE TriangleEdges<Number> readEdges(const double* positions, cons
 	return {vectorOf<Number>(u), vectorOf<Number>(v)};
 }
 
+/// Calls kernel.someTriangles<Number>(first) for as many triangles as a Number holds, and for the rest one by
+/// one.
+template <class Number, class Kernel>
+DEVELOPABLE_INLINE void inGroups(const Kernel& kernel, int triangles) {
+	int first = 0;
+	for (; first + width<Number> <= triangles; first += width<Number>)
+		kernel.template someTriangles<Number>(first);
+	for (; first < triangles; ++first)
+		kernel.template someTriangles<double>(first);
+}
+
 /// The cotangents of all corners.
 struct CotangentKernel {
 	const double* positions;
@@ -135,20 +146,38 @@ struct CotangentKernel {
 
 	template <class Number>
 	DEVELOPABLE_INLINE void run() const {
-		int t = 0;
-		for (; t + width<Number> <= triangles; t += width<Number>)
-			someTriangles<Number>(t);
-		for (; t < triangles; ++t)
-			someTriangles<double>(t);
+		inGroups<Number>(*this, triangles);
 	}
 
-private:
 	template <class Number>
 	DEVELOPABLE_INLINE void someTriangles(int first) const {
 		const Cotangents<Number> result(readEdges<Number>(positions, places + 3 * first));
 		for (int lane = 0; lane < width<Number>; ++lane)
 			for (int corner = 0; corner < 3; ++corner)
 				cotangents[3 * (first + lane) + corner] = at(result.corner[corner], lane);
+	}
+};
+
+/// The normals of all triangles, one long; 0 of one without area.
+struct NormalKernel {
+	const double* positions;
+	const int* places; ///< 3 x triangles
+	int triangles;
+	double* normals; ///< out, 3 x triangles
+
+	template <class Number>
+	DEVELOPABLE_INLINE void run() const {
+		inGroups<Number>(*this, triangles);
+	}
+
+	template <class Number>
+	DEVELOPABLE_INLINE void someTriangles(int first) const {
+		const Vector<Number> normal = readEdges<Number>(positions, places + 3 * first).normal();
+		const Number norm = length(normal), divisor = norm > 0 ? norm : every<Number>(1);
+		const Number unit[] = {normal.x / divisor, normal.y / divisor, normal.z / divisor};
+		for (int lane = 0; lane < width<Number>; ++lane)
+			for (int coordinate = 0; coordinate < 3; ++coordinate)
+				normals[3 * (first + lane) + coordinate] = at(unit[coordinate], lane);
 	}
 };
 

@@ -2,7 +2,7 @@
 // vertex_normals.cpp: normals of triangles, and their averages.
 #include "vertex_normals.h"
 
-#include "corner_geometry.h"
+#include "triangle_kernel.h"
 
 #include <Eigen/Geometry>
 
@@ -30,8 +30,8 @@ Eigen::Matrix3Xd areaNormals(const PatchAssembly& assembly, const Positions& pos
 
 Eigen::Matrix3Xd unitNormals(const PatchAssembly& assembly, const Positions& positions) {
 	Eigen::Matrix3Xd normals(3, assembly.triangleCount());
-	for (int t = 0; t < assembly.triangleCount(); ++t)
-		normals.col(t) = triangleFrame(positions, assembly.trianglePlaces.col(t)).normal.normalized();
+	detail::runWide(detail::NormalKernel{positions.data(), assembly.trianglePlaces.data(),
+										 assembly.triangleCount(), normals.data()});
 	return normals;
 }
 

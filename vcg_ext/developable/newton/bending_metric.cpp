@@ -78,7 +78,18 @@ bool BendingMetric::factorize() {
 }
 
 Positions BendingMetric::apply(const Positions& displacement) const {
-	return (lower_.selfadjointView<Eigen::Lower>() * displacement.transpose()).transpose();
+	Positions result = Positions::Zero(3, displacement.cols());
+	for (int place = 0; place < lower_.outerSize(); ++place) {
+		const Eigen::Vector3d own = displacement.col(place);
+		Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+		for (SparseMatrix::InnerIterator entry(lower_, place); entry; ++entry) {
+			result.col(entry.row()) += entry.value() * own;
+			if (entry.row() != place)
+				sum += entry.value() * displacement.col(entry.row());
+		}
+		result.col(place) += sum;
+	}
+	return result;
 }
 
 Positions BendingMetric::solve(const Positions& force) const {

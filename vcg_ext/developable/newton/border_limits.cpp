@@ -48,15 +48,22 @@ struct BorderEdges {
 } // namespace
 
 BorderTurns::BorderTurns(const PatchAssembly& assembly, double more)
-	: joints_(borderJoints(assembly)), most_(joints_.size()) {
-	for (std::size_t i = 0; i < joints_.size(); ++i)
-		most_[i] = turnAt(joints_[i], assembly.originalPositions) + more;
+	: joints_(borderJoints(assembly)), most_(joints_.size()), mostDirection_(2, joints_.size()) {
+	for (std::size_t i = 0; i < joints_.size(); ++i) {
+		most_[i] = std::min(turnAt(joints_[i], assembly.originalPositions) + more, pi);
+		mostDirection_.col(i) << std::cos(most_[i]), std::sin(most_[i]);
+	}
 }
 
 Eigen::VectorXd BorderTurns::excess(const Positions& positions) const {
-	Eigen::VectorXd result(joints_.size());
-	for (std::size_t i = 0; i < joints_.size(); ++i)
-		result[i] = std::max(0.0, turnAt(joints_[i], positions) - most_[i]);
+	Eigen::VectorXd result = Eigen::VectorXd::Zero(joints_.size());
+	for (std::size_t i = 0; i < joints_.size(); ++i) {
+		const BorderEdges edges(joints_[i], positions);
+		const double cosine = edges.in.dot(edges.out), sine = edges.in.cross(edges.out).norm();
+		// Few turn too much, and the others need no angle.
+		if (sine * mostDirection_(0, i) > cosine * mostDirection_(1, i))
+			result[i] = std::max(0.0, std::atan2(sine, cosine) - most_[i]);
+	}
 	return result;
 }
 

@@ -30,6 +30,7 @@ public:
 private:
 	std::vector<RodJoint> joints_;
 	Eigen::VectorXd most_;
+	Eigen::Matrix2Xd mostDirection_; ///< its cosine and sine
 };
 
 /// The copies on boundaries whose angles may come to exceed 2π, for they have more than two triangles.

@@ -109,9 +109,11 @@ void DefectJacobian::scaleCopyRows(const Positions& positions) {
 
 Eigen::VectorXd DefectJacobian::apply(const Positions& displacement) const {
 	Eigen::VectorXd result = Eigen::VectorXd::Zero(rowCount());
-	for (int place = 0; place < assembly_.placeCount(); ++place)
+	for (int place = 0; place < assembly_.placeCount(); ++place) {
+		const Eigen::Vector3d move = displacement.col(place);
 		for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
-			result[rowOfBlock_[block]] += blocks_.col(block).dot(displacement.col(place));
+			result[rowOfBlock_[block]] += blocks_.col(block).dot(move);
+	}
 	return result;
 }
 
@@ -123,10 +125,13 @@ Eigen::VectorXd DefectJacobian::greatestChange(double farthest) const {
 }
 
 Positions DefectJacobian::applyTransposed(const Eigen::VectorXd& multipliers) const {
-	Positions result = Positions::Zero(3, assembly_.placeCount());
-	for (int place = 0; place < assembly_.placeCount(); ++place)
+	Positions result(3, assembly_.placeCount());
+	for (int place = 0; place < assembly_.placeCount(); ++place) {
+		Eigen::Vector3d sum = Eigen::Vector3d::Zero();
 		for (int block = blockStart_[place]; block < blockStart_[place + 1]; ++block)
-			result.col(place) += multipliers[rowOfBlock_[block]] * blocks_.col(block);
+			sum += multipliers[rowOfBlock_[block]] * blocks_.col(block);
+		result.col(place) = sum;
+	}
 	return result;
 }
 

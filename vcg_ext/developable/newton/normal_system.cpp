@@ -21,15 +21,17 @@ bool NormalSystem::factorize(const SparseMatrix& along, const Eigen::Matrix3Xd& 
 void NormalSystem::fill(const SparseMatrix& along, const Eigen::Matrix3Xd& directions,
 						const SparseMatrix& metric, double epsilon) {
 	const RowMajor byRow = along;
+	std::vector<int> nextInRow(byRow.outerIndexPtr(), byRow.outerIndexPtr() + byRow.rows()); // not done yet
 	for (int column = 0; column < lower_.outerSize(); ++column) {
 		for (SparseMatrix::InnerIterator entry(lower_, column); entry; ++entry) {
 			entry.valueRef() = 0;
 			entryOfRow_[entry.row()] = &entry.valueRef();
 		}
-		for (SparseMatrix::InnerIterator own(along, column); own; ++own)
-			for (RowMajor::InnerIterator other(byRow, own.row()); other; ++other)
-				if (other.col() >= column)
-					*entryOfRow_[other.col()] += own.value() * other.value();
+		for (SparseMatrix::InnerIterator own(along, column); own; ++own) {
+			const int end = byRow.outerIndexPtr()[own.row() + 1];
+			for (int other = nextInRow[own.row()]++; other < end; ++other)
+				*entryOfRow_[byRow.innerIndexPtr()[other]] += own.value() * byRow.valuePtr()[other];
+		}
 		addMetric(directions, metric, column, epsilon);
 	}
 }

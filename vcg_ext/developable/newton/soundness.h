@@ -32,6 +32,10 @@ private:
 		double sameSide; ///< -1 where the triangles run round oppositely, else 1
 	};
 
+	class Inspection;
+
+	bool isSliver(const Eigen::Vector3d& cotangents) const;
+	static bool isFlipped(const Hinge& hinge, const Eigen::Matrix3Xd& normals);
 	void moveAsOne(const Eigen::Vector3i& places, Positions& move) const;
 
 	const PatchAssembly& assembly_;
