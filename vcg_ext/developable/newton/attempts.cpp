@@ -29,15 +29,18 @@ public:
 	void begin() { task_.begin(); }
 	bool begun() const { return task_.begun(); }
 
-	/// Waits for its end. \return whether it would have gone the same way by itself, one after the other
+	/// Waits for its end, if it does what is to be done. \return whether it would have gone the same way by
+	/// itself, one after the other
 	/// \param setting  what it is to do, as far as is known by now
 	/// \param budget   what work there is by now; becomes less by what this took
 	bool finish(const AttemptSetting& setting, WorkBudget& budget, const Progress& progress) {
+		if (setting.stiffens != setting_.stiffens)
+			return false;
 		task_.finish(progress);
 		const bool same =
 			result_.ending == Ending::Stopped ||
-			(setting.stiffens == setting_.stiffens && result_.iterations < setting.maxIterations &&
-			 budget_->used() < budget.left() && budget_->extraUsed() < budget.extraLeft());
+			(result_.iterations < setting.maxIterations && budget_->used() < budget.left() &&
+			 budget_->extraUsed() < budget.extraLeft());
 		if (same)
 			budget.spend(*budget_);
 		return same;
@@ -124,6 +127,7 @@ AttemptResult Attempts::takeFree(bool again) {
 	WorkBudget& budget = problem_.budget();
 	if (ahead_ && ahead_->begun() && ahead_->finish(setting, budget, progress))
 		return ahead_->result();
+	ahead_.reset(); // and what it is still at
 	const WorkReserve reserve(budget, 1 - std::min(1.0, workWhenFree_ / budget.left()));
 	return attempt(problem_, start_, setting, progress);
 }
