@@ -90,7 +90,7 @@ def render(
         axis.set_title(picture.title, fontsize=18)
     if scale:
         _add_scale(figure, scale, figure.add_axes((0.25, 66 / total, 0.5, 22 / total)), len(pictures))
-    figure.savefig(path)
+    figure.savefig(path, pil_kwargs={"compress_level": 4})  # 6 takes twice as long for 4 %
 
 
 def _add_scale(figure: Any, scale: ColourScale, bar: Any, pictures: int) -> None:
