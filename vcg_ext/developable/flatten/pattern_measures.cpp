@@ -2,7 +2,6 @@
 // pattern_measures.cpp: measures of every edge, triangle and boundary, and the notes that follow from them.
 #include "pattern_measures.h"
 
-#include "boundary_crossings.h"
 #include "bounded_layout.h"
 #include "developable/geometry/geometry.h"
 #include "grain_directions.h"

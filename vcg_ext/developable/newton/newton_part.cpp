@@ -2,6 +2,7 @@
 // newton_part.cpp: all patches of a part, then those that are left without the worst.
 #include "newton_part.h"
 
+#include "border_separation.h"
 #include "closer_runs.h"
 #include "displacement_metric.h"
 #include "frozen_panels.h"
@@ -138,6 +139,8 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	// Of several panels the last may get there on the others' way.
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
 		outcome.ending = Ending::Reached;
+	if (outcome.ending == Ending::Reached)
+		separateBorders(part, options, goal, outcome, partOf(progress, shareBefore, 1, "moving apart: "));
 	return {statusOf(outcome.ending, part), outcome.ending, outcome.iterations, std::move(outcome.positions),
 			outcome.nearestDevelopable,     outcome.work};
 }

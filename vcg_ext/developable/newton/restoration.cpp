@@ -30,7 +30,7 @@ Ending Restoration::restore() {
 		idle = left > problem_.tuning().restorationIdle ? idle + 1 : 0;
 		if (idle == problem_.tuning().restorationPatience || crawls(squares))
 			return Ending::Stuck;
-		epsilon_ = std::max(epsilon_ * epsilonFactor(length), leastEpsilon());
+		epsilon_ = std::max(epsilon_ * restorationFactor(length, problem_.tuning()), leastEpsilon());
 	}
 	return Ending::Reached;
 }
@@ -49,8 +49,7 @@ bool Restoration::crawls(const std::vector<double>& squares) const {
 		   run_.shape().squaredDefects() > problem_.tuning().restorationSlow * squares.end()[-int(review)];
 }
 
-double Restoration::epsilonFactor(double length) const {
-	const NewtonTuning& tuning = problem_.tuning();
+double restorationFactor(double length, const NewtonTuning& tuning) {
 	if (length == 0)
 		return tuning.restorationRetry;
 	if (length == 1)

@@ -20,7 +20,6 @@ public:
 private:
 	bool crawls(const std::vector<double>& squares) const;
 	bool heldUp(double length, double left) const;
-	double epsilonFactor(double length) const;
 	double leastEpsilon() const { return problem_.tuning().restorationLeast * steps_.greatestResponse(); }
 
 	NewtonProblem& problem_;
@@ -28,5 +27,9 @@ private:
 	GaussNewton& steps_;
 	double epsilon_;
 };
+
+/// Of ε after a step.
+/// \param length  as a share of the whole step; 0 when none was any good
+double restorationFactor(double length, const NewtonTuning& tuning);
 
 } // namespace developable::detail

@@ -41,6 +41,7 @@ ConstrainedNewtonOptions briefRun(const PanelLimits& limits) {
 	options.tuning.limitedSteps = 0;
 	options.tuning.leastSquares = 0;
 	options.tuning.curvatureSteps = 0;
+	options.tuning.separationSteps = 0;
 	options.tuning.preferredMove = 0;
 	return options;
 }

@@ -25,7 +25,34 @@ bool cross(const Eigen::Matrix2Xd& positions, const BoundarySegment& a, const Bo
 		   side(b.start, b.end, a.start) * side(b.start, b.end, a.end) < 0;
 }
 
+/// How often a closed border goes round a point, counter-clockwise.
+int windingNumber(const Eigen::Matrix2Xd& border, const Eigen::Vector2d& point) {
+	int turns = 0;
+	for (Eigen::Index i = 0; i < border.cols(); ++i) {
+		const Eigen::Vector2d a = border.col(i) - point, b = border.col((i + 1) % border.cols()) - point;
+		if ((a[1] <= 0) == (b[1] <= 0))
+			continue;
+		const bool isToTheLeft = a[0] * b[1] - a[1] * b[0] > 0;
+		if (isToTheLeft == (a[1] <= 0))
+			turns += a[1] <= 0 ? 1 : -1;
+	}
+	return turns;
+}
+
 } // namespace
+
+double longestCoveredStretch(const Eigen::Matrix2Xd& border) {
+	constexpr double beside = 1e-3; // of an edge
+	const Eigen::Index count = border.cols();
+	double longest = 0, stretch = 0;
+	for (Eigen::Index i = 0; i < 2 * count; ++i) { // twice round: a stretch may begin anywhere
+		const Eigen::Vector2d from = border.col(i % count), along = border.col((i + 1) % count) - from;
+		const Eigen::Vector2d outside = from + along / 2 + beside * Eigen::Vector2d(along[1], -along[0]);
+		stretch = windingNumber(border, outside) > 0 ? stretch + along.norm() : 0;
+		longest = std::max(longest, stretch);
+	}
+	return longest;
+}
 
 std::vector<PieceCrossing> crossingPieces(const Eigen::Matrix2Xd& positions,
 										  std::vector<BoundarySegment> segments, int pieceCount) {

@@ -25,4 +25,9 @@ struct PieceCrossing {
 std::vector<PieceCrossing> crossingPieces(const Eigen::Matrix2Xd& positions,
 										  std::vector<BoundarySegment> segments, int pieceCount);
 
+/// Of a closed border, whose piece is to its left, the longest stretch that lies upon the piece itself,
+/// length. Where it is short, the piece covers itself by a sliver.
+/// \param border  2 x points, one after the other
+double longestCoveredStretch(const Eigen::Matrix2Xd& border);
+
 } // namespace developable::detail

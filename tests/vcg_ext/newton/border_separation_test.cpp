@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "developable/newton/border_separation.h"
+
+#include "developable/flatten/flatten.h"
+#include "developable/newton/displacement_metric.h"
+#include "newton_problems.h"
+#include "support/cone_ramp.h"
+#include "threads_allowed.h"
+
+namespace developable::test {
+namespace {
+
+int overlapping(const PatchAssembly& assembly, const Positions& positions) {
+	return flattenPatches(assembly, positions).report.overlappingPieces;
+}
+
+TEST(BorderSeparation, OpensWhatCoversItselfByALittleAndNoMore) {
+	for (const double more : {0.01, 0.03, 0.06}) {
+		const PatchAssembly assembly = assembled(coneRamp(more));
+		const double bound = 0.1 * boxDiagonal(assembly.originalPositions);
+		ASSERT_EQ(overlapping(assembly, assembly.originalPositions), 1);
+		detail::NewtonProblem problem = problemOf(assembly);
+		problem.jacobian().freeBorders(true);
+		const Progress silent;
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		detail::BorderSeparation separation(problem, run, bound);
+		ASSERT_TRUE(separation.isNeeded());
+		EXPECT_EQ(separation.run(), detail::Ending::Reached) << more;
+		const Positions& apart = run.shape().positions;
+		EXPECT_EQ(overlapping(assembly, apart), 0) << more;
+		EXPECT_LE(angleDefects(assembly, apart).cwiseAbs().sum(), 1e-4);
+		EXPECT_GT(farthestMove(assembly, apart), 0.05 * more);
+		EXPECT_LT(farthestMove(assembly, apart), more);
+		expectSound(assembly, apart);
+	}
+}
+
+TEST(BorderSeparation, LeavesWhatNoMoveWithinTheBoundWouldOpen) {
+	// One of the two covers itself by too much.
+	const PatchAssembly assembly = assembled(together(coneRamp(0.02, 0.05), coneRamp(3, 0.2)));
+	const double bound = 0.01 * boxDiagonal(assembly.originalPositions);
+	detail::NewtonProblem problem = problemOf(assembly);
+	problem.jacobian().freeBorders(true);
+	const Progress silent;
+	detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+	detail::BorderSeparation separation(problem, run, bound);
+	ASSERT_TRUE(separation.isNeeded());
+	EXPECT_EQ(separation.run(), detail::Ending::Reached);
+	EXPECT_EQ(overlapping(assembly, run.shape().positions), 1);
+	const PatchAssembly deep = assembled(coneRamp(3, 0.2));
+	detail::NewtonProblem hopeless = problemOf(deep);
+	detail::NewtonRun nowhere(hopeless, deep.originalPositions, 200, silent);
+	EXPECT_FALSE(detail::BorderSeparation(hopeless, nowhere, bound).isNeeded());
+	EXPECT_EQ(nowhere.shape().positions, deep.originalPositions);
+}
+
+/// What became developable, with the same bits for any number of threads.
+TEST(BorderSeparation, FollowsWhereAWholeRunEndsWithOverlaps) {
+	const PatchAssembly assembly = assembled(noisy(coneRamp(0.03), 0.02));
+	ConstrainedNewtonOptions options;
+	options.tuning.separationSteps = 0;
+	Positions covered = assembly.originalPositions, apart = covered, alone = covered;
+	ASSERT_EQ(constrainedNewton(assembly, covered, options).status, Status::Converged);
+	ASSERT_EQ(overlapping(assembly, covered), 1);
+	EXPECT_EQ(constrainedNewton(assembly, apart, {}).status, Status::Converged);
+	EXPECT_EQ(overlapping(assembly, apart), 0);
+	EXPECT_LE(angleDefects(assembly, apart).cwiseAbs().sum(), 1e-4);
+	EXPECT_LT(meanDisplacement(assembly, apart), meanDisplacement(assembly, covered) + 0.01);
+	const ThreadsAllowed one("1");
+	constrainedNewton(assembly, alone, {});
+	EXPECT_EQ(alone, apart);
+}
+
+TEST(BorderSeparation, LeavesEveryBitOfWhatDoesNotOverlap) {
+	const PatchAssembly assembly = assembled(noisy(coneRamp(-0.1), 0.02));
+	ConstrainedNewtonOptions options;
+	options.tuning.separationSteps = 0;
+	Positions without = assembly.originalPositions, with = without;
+	constrainedNewton(assembly, without, options);
+	constrainedNewton(assembly, with, {});
+	EXPECT_EQ(with, without);
+}
+
+} // namespace
+} // namespace developable::test
