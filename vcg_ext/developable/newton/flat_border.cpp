@@ -104,8 +104,9 @@ Eigen::Matrix2Xd FlatBorder::closed() const {
 }
 
 std::vector<std::array<int, 2>> crossingsOf(const Eigen::Matrix2Xd& border) {
-	std::vector<BoundarySegment> segments;
 	const int count = static_cast<int>(border.cols());
+	std::vector<BoundarySegment> segments;
+	segments.reserve(count);
 	for (int i = 0; i < count; ++i)
 		segments.push_back({i, (i + 1) % count, 0, i});
 	return crossingPieces(border, std::move(segments), 1).front().itself;

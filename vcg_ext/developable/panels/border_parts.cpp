@@ -2,10 +2,7 @@
 // border_parts.cpp: round a piece, half edge by half edge.
 #include "border_parts.h"
 
-#include "developable/geometry/geometry.h"
-
 #include <algorithm>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -55,13 +52,6 @@ public:
 	}
 	/// A border that touches itself at a vertex has two ways on there, of which one may never lead back.
 	bool isClosed() const { return closed_; }
-	/// Where each half edge begins.
-	Eigen::Matrix2Xd points(const FlatPatterns& patterns) const {
-		Eigen::Matrix2Xd result(2, size());
-		for (int i = 0; i < size(); ++i)
-			result.col(i) = patterns.positions.col(patterns.vertexAt(order_[i]));
-		return result;
-	}
 
 private:
 	int size() const { return static_cast<int>(order_.size()); }
@@ -119,18 +109,6 @@ std::vector<BorderPart> notchesOf(const FlatPatterns& patterns, const FlatPiece&
 		for (const Border::Way& way : largestOf(ways, border))
 			notches.push_back(border.partOf(way));
 	return notches;
-}
-
-double coveredStretch(const FlatPatterns& patterns, const FlatPiece& piece) {
-	constexpr double whole = std::numeric_limits<double>::infinity();
-	if (piece.crossings.empty())
-		return whole;
-	const Border border(patterns, leavingHalfEdges(patterns), piece.crossings.front()[0]);
-	const bool isOne = border.isClosed() &&
-					   std::all_of(piece.crossings.begin(), piece.crossings.end(), [&](const auto& crossing) {
-						   return border.has(crossing[0]) && border.has(crossing[1]);
-					   });
-	return isOne ? longestCoveredStretch(border.points(patterns)) : whole;
 }
 
 const BorderPart& largestNotch(const std::vector<BorderPart>& notches) {
