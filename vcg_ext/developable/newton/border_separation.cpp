@@ -10,7 +10,8 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <limits>
 
 namespace developable::detail {
 

@@ -27,13 +27,12 @@ public:
 	bool isNeeded() const { return crossing_ > 0; }
 
 	/// Ends with the run at the developable shape with fewest patches whose borders cross.
-	/// \return Reached, where that is none; Stuck; Unsolvable; OutOfSteps; Stopped
+	/// \return Reached, where that is none; Stuck; Unsolvable; Stopped
 	Ending run();
 
 private:
-	void findCrossings();
 	void leaveDeepCrossings();
-	void addGaps(const std::vector<int>& border, const Eigen::VectorXd& angles);
+	void findCrossings();
 	BorderGap gapOf(const std::vector<int>& border, const FlatBorder& flat,
 					const std::array<int, 2>& crossing, const Eigen::VectorXd& angles) const;
 	/// \return its length as a share of the whole; 0 when none was any good
