@@ -37,10 +37,9 @@ public:
 		if (setting.stiffens != setting_.stiffens)
 			return false;
 		task_.finish(progress);
-		const bool same =
-			result_.ending == Ending::Stopped ||
-			(result_.iterations < setting.maxIterations && budget_->used() < budget.left() &&
-			 budget_->extraUsed() < budget.extraLeft());
+		const bool same = result_.ending == Ending::Stopped ||
+						  (result_.iterations < setting.maxIterations && budget_->used() < budget.left() &&
+						   budget_->extraUsed() < budget.extraLeft());
 		if (same)
 			budget.spend(*budget_);
 		return same;
