@@ -18,8 +18,8 @@ struct Touching {
 
 	/// \param restore  of a problem, its run and its steps
 	template <class Restore>
-	Positions restored(const Restore& restore) const {
-		detail::NewtonProblem problem = problemOf(assembly);
+	Positions restored(const Restore& restore, const NewtonTuning& tuning = {}) const {
+		detail::NewtonProblem problem = problemOf(assembly, tuning);
 		problem.jacobian().freeBorders(true);
 		const Eigen::VectorXd weight = problem.metric().weight();
 		const Progress silent;
@@ -67,6 +67,25 @@ TEST(RestorationWithinBound, LeadsADevelopableShapeNearerAndNeverFarther) {
 		if (share > 0.9) {
 			EXPECT_LT(farthestMove(assembly, nearer), farthest);
 		}
+	}
+}
+
+/// With the same weight in every round what is left beyond the bound becomes less ever more slowly.
+TEST(RestorationWithinBound, EndsNearerWhereTheWeightBecomesMore) {
+	for (const Surface& surface : {Surface(steepBump), Surface(wave), Surface(largeSaddle)}) {
+		const PatchAssembly assembly = assembled(jitteredGrid(25, 25, surface));
+		const Touching touching(assembly);
+		const auto beyond = [&](double increase) {
+			NewtonTuning tuning;
+			tuning.boundWeightIncrease = increase;
+			const Positions within = touching.restored(
+				[&](auto& problem, auto& run, auto& steps) {
+					return detail::restoreWithin(problem, run, steps, touching.bound);
+				},
+				tuning);
+			return std::max(farthestMove(assembly, within) / touching.bound - 1, 0.0);
+		};
+		EXPECT_LE(beyond(NewtonTuning().boundWeightIncrease), beyond(1));
 	}
 }
 

@@ -111,5 +111,19 @@ TEST(ReturnWithinBound, EndsForWhatIsPreferredWhenItHasTakenSoManyTimesTheRest) 
 	}
 }
 
+TEST(ReturnWithinBound, IsLeftToOtherWaysWhereTheyFollowAndPlacesArePulledBackFromNearlyThere) {
+	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, wave));
+	for (const double share : {0.95, 0.85}) {
+		const NewtonTuning tuning = preferring(assembly, share);
+		FarAway back(assembly, share, tuning), left(assembly, share, tuning.beforeOthers());
+		const Positions before = left.run.shape().positions;
+		for (FarAway* far : {&back, &left})
+			EXPECT_EQ(withinPreferred(far->problem, far->run, far->steps), detail::Ending::Reached);
+		EXPECT_LE(back.run.shape().farthest, back.problem.preferredMove()) << share;
+		EXPECT_EQ(left.run.shape().positions == before, share < 0.9) << share;
+		EXPECT_EQ(left.run.shape().farthest <= left.problem.preferredMove(), share > 0.9) << share;
+	}
+}
+
 } // namespace
 } // namespace developable::test

@@ -30,6 +30,8 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	const double extra = part.isSewn() ? together : tuning.preferredWorkPerPlace * part.placeCount();
 	strategy.setBudget(std::make_shared<WorkBudget>(together, extra));
 	OtherLevels others(part, start, strategy);
+	if (others.any())
+		strategy.leaveWaysBackToOthers();
 	NewtonOutcome outcome = strategy.solve(
 		part, start, others.beside(strategy.budget(), partOf(progress, 0, mayFreeze ? shareOfFirst : 1)));
 	outcome.work = strategy.budget().used();

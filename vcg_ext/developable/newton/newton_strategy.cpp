@@ -110,7 +110,7 @@ NewtonOutcome NewtonStrategy::solve(const PatchAssembly& assembly, const Positio
 /// What is all but developable needs neither coarser levels nor a continuation.
 NewtonOutcome NewtonStrategy::solveNear(const Level& level, const Positions& start,
 										const Progress& progress) const {
-	const std::unique_ptr<NewtonProblem> problem = problemOf(level);
+	const std::unique_ptr<NewtonProblem> problem = problemOf(level, tuning_);
 	problem->jacobian().freeBorders(true);
 	NewtonRun shortest(*problem, start, maxIterations_, progress);
 	const double most = tuning_.nearCurvature * goal_.curvatureTolerance;
@@ -150,8 +150,7 @@ Unfairness NewtonStrategy::unfairnessOf(const PatchAssembly& assembly) const {
 }
 
 /// A border may turn at one vertex by so much more as edges are longer.
-std::unique_ptr<NewtonProblem> NewtonStrategy::problemOf(const Level& level) const {
-	NewtonTuning tuning = tuning_;
+std::unique_ptr<NewtonProblem> NewtonStrategy::problemOf(const Level& level, NewtonTuning tuning) const {
 	tuning.borderTurn *= level.coarseness;
 	auto problem = std::make_unique<NewtonProblem>(level.assembly, level.reference(), goal_, tuning,
 												   memoryLimit_, shapeSmoothness_);
@@ -160,7 +159,8 @@ std::unique_ptr<NewtonProblem> NewtonStrategy::problemOf(const Level& level) con
 }
 
 std::unique_ptr<NewtonProblem> NewtonStrategy::fineProblemOf(const Level& level) const {
-	std::unique_ptr<NewtonProblem> problem = problemOf(level);
+	std::unique_ptr<NewtonProblem> problem =
+		problemOf(level, othersFollow_ ? tuning_.beforeOthers() : tuning_);
 	problem->setSmoothness(smoothness_);
 	problem->jacobian().freeBorders(true);
 	return problem;
@@ -233,7 +233,7 @@ NewtonOutcome NewtonStrategy::solveByCoarser(const Level& level, const Positions
 
 NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions& start,
 											const Progress& progress) const {
-	const std::unique_ptr<NewtonProblem> problem = problemOf(level);
+	const std::unique_ptr<NewtonProblem> problem = problemOf(level, tuning_);
 	NewtonOutcome outcome = attemptFrom(*problem, start, smoothness_, maxIterations_, progress);
 	const bool tooFar = outcome.nearestDevelopable > 0;
 	const bool hemmedIn = tooFar || holdsPlaces(level.assembly);

@@ -40,6 +40,9 @@ public:
 	void coarsenFrom(int places) { tuning_.coarsest = places; }
 	/// Where panels that are sewn together can't be within that they are given up from now on.
 	void giveUpBeyondPreferred() { tuning_.beyondPreferred = 0; }
+	/// Other ways follow, where a shape may be within how far a place had better move: from now on finer
+	/// levels take none back to within it but from nearly there.
+	void leaveWaysBackToOthers() { othersFollow_ = true; }
 
 	/// From coarse to fine, all patches together.
 	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
@@ -62,7 +65,7 @@ private:
 	void leaveDetail(Level& level) const;
 	/// Whether that is all that is fair about what its shape is to be near.
 	bool isWithoutDetail(const Level& level) const { return level.fair && !isNearFairShape(); }
-	std::unique_ptr<NewtonProblem> problemOf(const Level& level) const;
+	std::unique_ptr<NewtonProblem> problemOf(const Level& level, NewtonTuning tuning) const;
 	/// One whose solution begins at that of a coarser level.
 	std::unique_ptr<NewtonProblem> fineProblemOf(const Level& level) const;
 	/// What is developable but for rounding, or nearly, needs no more than that. Stuck where it is not.
@@ -90,6 +93,7 @@ private:
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
 	bool isCoarse_ = false;        // another one is at work on the finest level
 	bool fairerElsewhere_ = false; // on a finer level
+	bool othersFollow_ = false;
 };
 
 } // namespace developable::detail

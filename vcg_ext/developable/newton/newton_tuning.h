@@ -152,6 +152,7 @@ struct NewtonTuning {
 	double returnWeightTogether = 1000; ///< the same of panels that are sewn together
 	double heavyPlace = 1000;           ///< of its mass, at the bound on a finer level
 	double boundWeight = 300;           ///< of a place at a bound in a restoration within it, beside its mass
+	double boundWeightIncrease = 2;     ///< of that from a round to the next
 	double boundSharpness = 32; ///< power of the displacement's share of the bound that a place is heavier by
 	double boundAim = 0.97;     ///< share of the bound: where places beyond it are pulled back to
 	int boundRounds = 10;       ///< of pulling back and restoring
@@ -159,9 +160,10 @@ struct NewtonTuning {
 	double preferredMove = 0.02; ///< share of the diagonal: less far is a bound that is kept if that is easy
 	double preferredLength = 1e300; ///< length: the same, where that is less
 	int returnPlaces = 7000;        ///< more: the way to within the preferred move is left to a coarser level
-	int returnPlacesTogether = 20000; ///< the same of panels that are sewn together
-	double preferredPrice = 1.05;     ///< of it: the mean displacement, beside what it was
-	double preferredReach = 3;        ///< of it: shapes farther away are taken as they are
+	int returnPlacesTogether = 20000;        ///< the same of panels that are sewn together
+	double preferredPrice = 1.05;            ///< of it: the mean displacement, beside what it was
+	double preferredReach = 3;               ///< of it: shapes farther away are taken as they are
+	double preferredReachBeforeOthers = 1.1; ///< the same on finer levels, where other ways follow
 	double preferredCurvature = 0.15; ///< of the original, a share: more of it back within the move, likewise
 	double preferredWork = 6;         ///< times the rest: on ways back
 	double preferredWorkPerPlace = 1000; ///< at most on a single panel, in units of WorkBudget
@@ -236,6 +238,14 @@ struct NewtonTuning {
 	/// \param diagonal  of the part
 	double preferredBound(double diagonal) const {
 		return preferredLength < preferredMove * diagonal ? preferredLength : preferredMove * diagonal;
+	}
+	/// On finer levels, where other ways follow: back to within the preferred move no rounds go, and places
+	/// are pulled back from nearly there only.
+	NewtonTuning beforeOthers() const {
+		NewtonTuning tuning = *this;
+		tuning.preferredReach = preferredReachBeforeOthers;
+		tuning.returnRounds = 0;
+		return tuning;
 	}
 	/// Places of the coarsest level of panels that are sewn together.
 	int fewestTogether() const { return coarsestTogether < coarsest ? coarsestTogether : coarsest; }

@@ -34,6 +34,7 @@ NewtonStrategy otherStrategy(double fairness, const PatchAssembly& part, const N
 	if (fairness > 0)
 		strategy.beginNearFairShape(fairness);
 	strategy.giveUpBeyondPreferred();
+	strategy.leaveWaysBackToOthers();
 	strategy.setBudget(std::make_shared<WorkBudget>(units, units));
 	return strategy;
 }

@@ -29,6 +29,9 @@ public:
 	/// \param usual        the strategy of the way before
 	OtherLevels(const PatchAssembly& part, const Positions& start, const NewtonStrategy& usual);
 
+	/// Whether there are any.
+	bool any() const { return !ways_.empty(); }
+
 	/// The progress of the usual way, beside which the first of these begins when it takes long.
 	/// \param budget  of that way; outlives its progress
 	Progress beside(const WorkBudget& budget, const Progress& progress);

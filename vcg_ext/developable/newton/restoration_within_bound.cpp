@@ -17,13 +17,15 @@ public:
 	HeavyPlaces& operator=(const HeavyPlaces&) = delete;
 	~HeavyPlaces() { problem_.weigh(before_ - problem_.metric().weight()); }
 
-	/// By how near each is to a bound. \return whether the metric can be factorised then
+	/// By how near each is to a bound, and by more in every round: with the same weight the last hundredths
+	/// of the way would take ever smaller steps. \return whether the metric can be factorised then
 	bool weigh(const Shape& shape, double bound) {
 		const NewtonTuning& tuning = problem_.tuning();
 		const Eigen::ArrayXd nearness =
 			((shape.positions - problem_.assembly().originalPositions).colwise().norm() / bound).transpose();
-		const Eigen::VectorXd more = tuning.boundWeight * problem_.metric().placeMass().array() *
+		const Eigen::VectorXd more = increase_ * tuning.boundWeight * problem_.metric().placeMass().array() *
 									 nearness.min(1).pow(tuning.boundSharpness);
+		increase_ *= tuning.boundWeightIncrease;
 		problem_.weigh(before_ + more - problem_.metric().weight());
 		return problem_.metric().factorize();
 	}
@@ -31,6 +33,7 @@ public:
 private:
 	NewtonProblem& problem_;
 	const Eigen::VectorXd before_;
+	double increase_ = 1;
 };
 
 Ending restoreHeavily(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound) {
