@@ -40,8 +40,8 @@ public:
 	void coarsenFrom(int places) { tuning_.coarsest = places; }
 	/// Where panels that are sewn together can't be within that they are given up from now on.
 	void giveUpBeyondPreferred() { tuning_.beyondPreferred = 0; }
-	/// Other ways follow, where a shape may be within how far a place had better move: from now on finer
-	/// levels take none back to within it but from nearly there.
+	/// There are other ways, which may lead to within how far a place had better move: from now on finer
+	/// levels take none back to within it but from nearly there, see NewtonTuning::beforeOthers.
 	void leaveWaysBackToOthers() { othersFollow_ = true; }
 
 	/// From coarse to fine, all patches together.
