@@ -36,17 +36,23 @@ TEST(BorderSeparation, OpensWhatCoversItselfByALittleAndNoMore) {
 }
 
 TEST(BorderSeparation, LeavesWhatNoMoveWithinTheBoundWouldOpen) {
-	// One of the two covers itself by too much.
+	const Progress silent;
+	// One of the two covers itself by too much, which is known beforehand or found in vain.
 	const PatchAssembly assembly = assembled(together(coneRamp(0.02, 0.05), coneRamp(3, 0.2)));
 	const double bound = 0.01 * boxDiagonal(assembly.originalPositions);
-	detail::NewtonProblem problem = problemOf(assembly);
-	problem.jacobian().freeBorders(true);
-	const Progress silent;
-	detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
-	detail::BorderSeparation separation(problem, run, bound);
-	ASSERT_TRUE(separation.isNeeded());
-	EXPECT_EQ(separation.run(), detail::Ending::Reached);
-	EXPECT_EQ(overlapping(assembly, run.shape().positions), 1);
+	for (const double reach : {NewtonTuning().separationReach, 1e3}) {
+		NewtonTuning tuning;
+		tuning.separationReach = reach;
+		detail::NewtonProblem problem = problemOf(assembly, tuning);
+		problem.jacobian().freeBorders(true);
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		detail::BorderSeparation separation(problem, run, bound);
+		ASSERT_TRUE(separation.isNeeded());
+		EXPECT_EQ(separation.run(), detail::Ending::Reached) << reach;
+		EXPECT_EQ(overlapping(assembly, run.shape().positions), 1) << reach;
+		EXPECT_LE(angleDefects(assembly, run.shape().positions).cwiseAbs().sum(), 1e-4);
+		EXPECT_LE(farthestMove(assembly, run.shape().positions), bound);
+	}
 	const PatchAssembly deep = assembled(coneRamp(3, 0.2));
 	detail::NewtonProblem hopeless = problemOf(deep);
 	detail::NewtonRun nowhere(hopeless, deep.originalPositions, 200, silent);

@@ -12,7 +12,7 @@ namespace {
 /// The weight of places at the bound stays what it is: where it grows the usual way ends near in more cases.
 ConstrainedNewtonOptions optionsWith(int otherLevels) {
 	ConstrainedNewtonOptions options;
-	options.tuning.closerTries = 0;
+	options.tuning.closerRounds = 0;
 	options.tuning.boundWeightIncrease = 1;
 	options.tuning.otherLevels = otherLevels;
 	return options;

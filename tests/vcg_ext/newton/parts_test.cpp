@@ -129,7 +129,7 @@ TEST(ConstrainedNewtonParts, OfSewnPanelsKeepToABoundThatTheyKeepToByDefault) {
 		ConstrainedNewtonOptions options;
 		options.maxDisplacement = 0.02 * boxDiagonal(assembly.originalPositions);
 		ConstrainedNewtonOptions byDefault;
-		byDefault.tuning.closerTries = 0;
+		byDefault.tuning.closerRounds = 0;
 		Positions usual = assembly.originalPositions, positions = usual;
 		ASSERT_EQ(constrainedNewton(assembly, usual, byDefault).status, Status::Converged);
 		ASSERT_LE(farthestMove(assembly, usual), options.maxDisplacement);

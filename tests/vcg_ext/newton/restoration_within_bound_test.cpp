@@ -72,10 +72,10 @@ TEST(RestorationWithinBound, LeadsADevelopableShapeNearerAndNeverFarther) {
 
 /// With the same weight in every round what is left beyond the bound becomes less ever more slowly.
 TEST(RestorationWithinBound, EndsNearerWhereTheWeightBecomesMore) {
-	const PatchAssembly assembly = assembled(jitteredGrid(25, 25, wave));
+	const PatchAssembly assembly = assembled(jitteredGrid(33, 33, wave));
 	Touching far(assembly);
 	far.start = expectConverges(assembly, 0.2);
-	const double bound = 0.7 * farthestMove(assembly, far.start);
+	const double bound = 0.6 * farthestMove(assembly, far.start);
 	const auto farthestWith = [&](double increase) {
 		NewtonTuning tuning;
 		tuning.boundWeightIncrease = increase;
@@ -85,7 +85,7 @@ TEST(RestorationWithinBound, EndsNearerWhereTheWeightBecomesMore) {
 		return farthestMove(assembly, far.restored(restore, tuning));
 	};
 	EXPECT_LE(farthestWith(NewtonTuning().boundWeightIncrease), bound);
-	EXPECT_GT(farthestWith(1), bound);
+	EXPECT_GT(farthestWith(1), 1.05 * bound);
 }
 
 } // namespace

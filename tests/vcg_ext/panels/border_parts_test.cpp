@@ -10,6 +10,7 @@ namespace developable::test {
 namespace {
 
 using detail::BorderPart;
+using detail::coveredStretch;
 using detail::notchesOf;
 
 FlatPiece crossingAt(std::vector<std::array<int, 2>> crossings) {
@@ -86,6 +87,30 @@ TEST(BorderParts, areOfOneBorder) {
 	ASSERT_EQ(notches.size(), 1U);
 	EXPECT_TRUE(notches.front().halfEdges.empty());
 	EXPECT_EQ(notches.front().share, 1);
+	EXPECT_TRUE(std::isinf(coveredStretch(patterns, crossingAt({{outer, inner}}))));
+}
+
+/// Four quadrilaterals round a square, 1 wide, the last of which ends below or above where the first has its
+/// upper side.
+TEST(BorderParts, lieUponTheirPieceAsFarAsTheyDo) {
+	const double outer[5][2] = {{0.2, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
+	const double inner[5][2] = {{0.2, 1}, {8, 1}, {8, 8}, {1, 8}, {1, 0}};
+	const PatchAssembly assembly =
+		assembled(grid(5, 2, [](double u, double v) { return Eigen::Vector3d(u, v, 0); }));
+	FlatPatterns patterns = flattenPatches(assembly, assembly.originalPositions);
+	const int border = borderAt(assembly, 0.125, 0);
+	ASSERT_GE(border, 0);
+	EXPECT_EQ(coveredStretch(patterns, crossingAt({{border, border}})), 0);
+	for (const auto& [height, covered] : {std::make_pair(0.7, 1.0), {1.2, 0.0}}) {
+		for (int vertex = 0; vertex < patterns.vertexCount(); ++vertex) {
+			const Eigen::Vector3d at = assembly.originalPositions.col(patterns.placeOfVertex[vertex]);
+			const auto column = std::lround(4 * at[0]);
+			const auto& to = at[1] == 0 ? outer[column] : inner[column];
+			patterns.positions.col(vertex) << to[0], column == 4 ? height : to[1];
+		}
+		EXPECT_EQ(coveredStretch(patterns, crossingAt({{border, border}})), covered);
+	}
+	EXPECT_TRUE(std::isinf(coveredStretch(patterns, crossingAt({}))));
 }
 
 /// Two triangles with a vertex in common: round it there are two ways on, and one never leads back.

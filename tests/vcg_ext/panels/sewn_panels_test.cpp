@@ -69,7 +69,7 @@ TEST(SewnPanels, holdWithinLessThanIsPreferredWhereTheMethodComesAsClose) {
 		EXPECT_EQ(sewn.provisional, run == detail::SewnRun::Brief);
 	}
 	ConstrainedNewtonOptions plain;
-	plain.tuning.closerTries = 0;
+	plain.tuning.closerRounds = 0;
 	const PatchAssembly assembly = assembled(cut);
 	Positions positions = assembly.originalPositions;
 	constrainedNewton(assembly, positions, plain);
@@ -114,7 +114,7 @@ TEST(SewnPanels, overlapsOfACoarseLevelAreOnTheSurface) {
 	const PlannedSurface planned{given.mesh, given.origins, withPanels(given.mesh, strips(given.mesh, 1))};
 	const SewnPanels sewn =
 		detail::developSewnPanels(detail::meshAsCut(planned, given.vertexTaken), planned.surface,
-								  {boxDiagonal(mesh.positions)}, {}, 1, detail::SewnRun::Brief, {});
+								  {0.02 * boxDiagonal(mesh.positions)}, {}, 1, detail::SewnRun::Brief, {});
 	ASSERT_TRUE(sewn.coarse);
 	ASSERT_EQ(sewn.overlaps.size(), 1u);
 	EXPECT_TRUE(detail::overlaps(sewn.panels[0]));

@@ -8,6 +8,7 @@
 
 #include "angle_defect.h"
 #include "angle_sum.h"
+#include "border_way.h"
 #include "boundary_crossings.h"
 #include "box_tree.h"
 #include "corner_geometry.h"

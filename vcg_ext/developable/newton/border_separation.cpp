@@ -20,20 +20,18 @@ namespace {
 constexpr std::size_t mostGaps = 200; ///< each is a solution with the system
 
 /// The shorter way along a closed border from one of two edges to the other, with both.
-std::vector<int> shorterWay(const std::vector<int>& border, const FlatBorder& flat,
+std::vector<int> wayBetween(const std::vector<int>& border, const FlatBorder& flat,
 							const std::array<int, 2>& edges) {
 	const int count = static_cast<int>(border.size());
-	const auto way = [&](int first, int last) {
-		std::vector<int> halfEdges;
-		double length = 0;
-		for (int i = first;; i = (i + 1) % count) {
-			halfEdges.push_back(border[i]);
-			length += flat.length(i);
-			if (i == last)
-				return std::pair(length, halfEdges);
-		}
-	};
-	return std::min(way(edges[0], edges[1]), way(edges[1], edges[0])).second;
+	std::vector<double> begins(1, 0);
+	for (int i = 0; i < count; ++i)
+		begins.push_back(begins.back() + flat.length(i));
+	const BorderWay way = shorterWay(begins, edges[0], edges[1]);
+	std::vector<int> halfEdges;
+	halfEdges.reserve(way.count);
+	for (int i = 0; i < way.count; ++i)
+		halfEdges.push_back(border[(way.first + i) % count]);
+	return halfEdges;
 }
 
 bool same(const BorderGap& a, const BorderGap& b) {
@@ -56,7 +54,8 @@ BorderSeparation::BorderSeparation(NewtonProblem& problem, NewtonRun& run, doubl
 	  gapScale_(std::sqrt(double(problem.assembly().placeCount())) / meanEdge_),
 	  borders_(bordersOfDisks(problem.assembly())), restoring_(problem, run, true, bound),
 	  system_(problem.memoryLimit(), problem.metric().eliminationOrder()),
-	  epsilon_(problem.tuning().separationEpsilon * restoring_.greatestResponse()) {
+	  firstEpsilon_(problem.tuning().separationEpsilon * restoring_.greatestResponse()),
+	  epsilon_(firstEpsilon_) {
 	leaveDeepCrossings();
 	findCrossings();
 }
@@ -84,28 +83,31 @@ void BorderSeparation::findCrossings() {
 		if (lack[Eigen::Index(i)] > -problem_.tuning().separationKept * gapScale_ * meanEdge_)
 			narrow.push_back(std::move(gaps_[i]));
 	gaps_ = std::move(narrow);
-	crossing_ = 0;
+	crossing_.clear();
 	for (int patch = 0; patch < assembly.patchCount(); ++patch) {
 		if (borders_[patch].empty() || leftAsTheyAre_.count(patch) > 0)
 			continue;
 		const FlatBorder flat(assembly, positions, angles, borders_[patch]);
 		const std::vector<std::array<int, 2>> crossings = crossingsOf(flat.closed());
-		crossing_ += crossings.empty() ? 0 : 1;
+		if (!crossings.empty())
+			crossing_.insert(patch);
 		for (const std::array<int, 2>& crossing : crossings) {
-			BorderGap gap = gapOf(borders_[patch], flat, crossing, angles);
-			const auto isSame = [&](const BorderGap& other) { return same(gap, other); };
-			if (std::none_of(gaps_.begin(), gaps_.end(), isSame))
-				gaps_.push_back(std::move(gap));
+			std::optional<BorderGap> gap = gapOf(borders_[patch], flat, crossing, angles);
+			const auto isSame = [&](const BorderGap& other) { return same(*gap, other); };
+			if (gap && std::none_of(gaps_.begin(), gaps_.end(), isSame))
+				gaps_.push_back(std::move(*gap));
 		}
 	}
 }
 
 /// Of the four ends that of least depth, of those that lie on the other edge's side.
-BorderGap BorderSeparation::gapOf(const std::vector<int>& border, const FlatBorder& flat,
-								  const std::array<int, 2>& crossing, const Eigen::VectorXd& angles) const {
-	BorderGap gap{shorterWay(border, flat, crossing)};
-	const FlatBorder way(problem_.assembly(), run_.shape().positions, angles, gap.halfEdges);
-	const int last = static_cast<int>(gap.halfEdges.size()) - 1;
+std::optional<BorderGap> BorderSeparation::gapOf(const std::vector<int>& border, const FlatBorder& flat,
+												 const std::array<int, 2>& crossing,
+												 const Eigen::VectorXd& angles) const {
+	const std::vector<int> halfEdges = wayBetween(border, flat, crossing);
+	const FlatBorder way(problem_.assembly(), run_.shape().positions, angles, halfEdges);
+	const int last = static_cast<int>(halfEdges.size()) - 1;
+	std::optional<BorderGap> gap;
 	double least = -std::numeric_limits<double>::infinity();
 	for (const auto& [edge, point] :
 		 {std::pair(0, last + 1), std::pair(0, last), std::pair(last, 0), std::pair(last, 1)}) {
@@ -113,8 +115,7 @@ BorderGap BorderSeparation::gapOf(const std::vector<int>& border, const FlatBord
 		if (point == edge || point == edge + 1 || depth >= 0 || depth <= least)
 			continue;
 		least = depth;
-		gap.edge = edge;
-		gap.point = point;
+		gap = {halfEdges, edge, point};
 	}
 	return gap;
 }
@@ -131,13 +132,28 @@ Eigen::VectorXd BorderSeparation::lacks(const Positions& positions) const {
 }
 
 Ending BorderSeparation::run() {
-	const NewtonTuning& tuning = problem_.tuning();
 	if (restoring_.unsolvable())
 		return Ending::Unsolvable;
-	const double firstEpsilon = epsilon_;
-	Shape best = run_.shape();
-	int least = crossing_, idle = 0;
-	for (int count = 0; least > 0 && count < tuning.separationSteps && gaps_.size() <= mostGaps; ++count) {
+	const Shape begin = run_.shape();
+	while (isNeeded()) {
+		const Ending ending = moveApart();
+		if (ending == Ending::Reached || ending == Ending::Stopped)
+			return ending;
+		run_.goBackTo(begin);
+		if (!isNeeded())
+			break;
+		leftAsTheyAre_.insert(crossing_.begin(), crossing_.end());
+		gaps_.clear();
+		findCrossings();
+	}
+	return Ending::Stuck;
+}
+
+Ending BorderSeparation::moveApart() {
+	const NewtonTuning& tuning = problem_.tuning();
+	epsilon_ = firstEpsilon_;
+	int idle = 0;
+	for (int count = 0; count < tuning.separationSteps && gaps_.size() <= mostGaps; ++count) {
 		if (!run_.mayGoOn())
 			return Ending::Stopped;
 		if (!run_.takeStep())
@@ -149,21 +165,17 @@ Ending BorderSeparation::run() {
 		if (idle == tuning.separationPatience)
 			break;
 		findCrossings();
-		if (crossing_ > 0)
+		if (isNeeded())
 			continue;
 		const Ending ending = restoreWithin(problem_, run_, restoring_, bound_);
 		if (ending == Ending::Stopped)
 			return ending;
-		if (ending != Ending::Reached)
-			break;
 		findCrossings();
-		if (crossing_ < least)
-			best = run_.shape();
-		least = std::min(least, crossing_);
-		epsilon_ = firstEpsilon;
+		if (ending != Ending::Reached || !isNeeded())
+			return ending;
+		epsilon_ = firstEpsilon_;
 	}
-	run_.goBackTo(best);
-	return least == 0 ? Ending::Reached : Ending::Stuck;
+	return Ending::Stuck;
 }
 
 double BorderSeparation::step() {
@@ -243,7 +255,7 @@ void separateBorders(const PatchAssembly& part, const ConstrainedNewtonOptions& 
 	problem.setSmoothness(options.smoothness);
 	problem.jacobian().freeBorders(true);
 	NewtonRun run(problem, outcome.positions, options.maxIterations, progress);
-	const double near = std::max(run.shape().farthest, tuning.closerFrom * problem.preferredMove());
+	const double near = std::max(run.shape().farthest, problem.preferredMove());
 	BorderSeparation separation(problem, run, std::min(near, goal.farthest));
 	if (separation.isNeeded() && separation.run() == Ending::Stopped)
 		outcome.ending = Ending::Stopped;

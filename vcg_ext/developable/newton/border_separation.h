@@ -7,6 +7,7 @@
 #include "flat_border.h"
 #include "gauss_newton.h"
 
+#include <optional>
 #include <set>
 
 namespace developable::detail {
@@ -24,17 +25,21 @@ public:
 	BorderSeparation(NewtonProblem& problem, NewtonRun& run, double bound);
 
 	/// Whether any border crosses itself that is not left as it is.
-	bool isNeeded() const { return crossing_ > 0; }
+	bool isNeeded() const { return !crossing_.empty(); }
 
-	/// Ends with the run at the developable shape with fewest patches whose borders cross.
-	/// \return Reached, where that is none; Stuck; Unsolvable; Stopped
+	/// What still crosses itself when no more can be done is left as it is, and the others are tried again
+	/// without it. Ends with the run at the developable shape of which no other crosses itself.
+	/// \return Reached; Stuck, where that is as it was; Unsolvable; Stopped
 	Ending run();
 
 private:
 	void leaveDeepCrossings();
+	/// \return Reached, at a developable shape of which none crosses; else anywhere
+	Ending moveApart();
 	void findCrossings();
-	BorderGap gapOf(const std::vector<int>& border, const FlatBorder& flat,
-					const std::array<int, 2>& crossing, const Eigen::VectorXd& angles) const;
+	/// Nothing where the edges touch rather than cross.
+	std::optional<BorderGap> gapOf(const std::vector<int>& border, const FlatBorder& flat,
+								   const std::array<int, 2>& crossing, const Eigen::VectorXd& angles) const;
 	/// \return its length as a share of the whole; 0 when none was any good
 	double step();
 	/// What the gaps lack, each as the system has it, at a shape; less than 0 where one has more than enough.
@@ -52,10 +57,11 @@ private:
 	const std::vector<std::vector<int>> borders_;
 	GaussNewton restoring_;
 	NormalSystem system_;
+	const double firstEpsilon_;
 	double epsilon_;
 	std::vector<BorderGap> gaps_;
 	std::set<int> leftAsTheyAre_; ///< patches
-	int crossing_ = 0;            ///< patches whose borders cross
+	std::set<int> crossing_;      ///< patches whose borders cross, of the others
 };
 
 /// Moves the panels of a developable part apart where they overlap themselves, hardly farther than they are.

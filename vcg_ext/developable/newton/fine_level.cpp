@@ -61,9 +61,10 @@ std::optional<Positions> preferredStart(const NewtonProblem& problem, const Coar
 }
 
 /// Steps that keep the preferred bound leave little curvature, which a restoration removes.
-Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run) {
+Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run, int maxIterations) {
 	NormalSteps along(problem, run, problem.preferredMove());
 	along.allowLocalSteps();
+	along.takeAtMost(maxIterations / 2);
 	const Ending ending = along.run();
 	const bool near = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
 	if (ending != Ending::Stuck || !near || !isSmallEnoughToReturn(problem))
@@ -103,7 +104,7 @@ NewtonOutcome solveFine(NewtonProblem& problem, const CoarseShape& coarse, int m
 	int before = 0;
 	if (const std::optional<Positions> preferred = preferredStart(problem, coarse, start)) {
 		NewtonRun run(problem, *preferred, maxIterations, progress);
-		Ending ending = refineWithinPreferred(problem, run);
+		Ending ending = refineWithinPreferred(problem, run, maxIterations);
 		bool ended = ending == Ending::Reached || ending == Ending::Stopped;
 		if (!ended && run.shape().curvature < problem.tuning().goOnBeyond * run.startCurvature()) {
 			ending = refineBeyondPreferred(problem, run, rounds);

@@ -3,7 +3,7 @@
 #include "newton_part.h"
 
 #include "border_separation.h"
-#include "closer_runs.h"
+#include "closer_shapes.h"
 #include "displacement_metric.h"
 #include "frozen_panels.h"
 #include "least_curvature.h"
@@ -53,21 +53,12 @@ NewtonOutcome solve(const PatchAssembly& part, const Positions& start, NewtonStr
 	return outcome;
 }
 
-/// Within the goal's bound, and where that is far enough away within less if that is easy.
+/// Within the goal's bound.
 NewtonOutcome solveWithin(const PatchAssembly& part, const Positions& start,
 						  const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
 						  const Progress& progress) {
-	constexpr double shareBefore = 0.7; // of the time
-	const bool mayBeCloser = mayComeCloser(part, options.tuning);
 	NewtonStrategy strategy = strategyFor(options, goal);
-	strategy.prefer(boundWithin(part, options.tuning));
-	NewtonOutcome outcome = solve(part, start, strategy, partOf(progress, 0, mayBeCloser ? shareBefore : 1));
-	// What none of other ways brought within the bound is not within a lower one.
-	const bool inVain =
-		mayTryOtherLevels(part, options.tuning) && !isWithinPreferred(part, outcome, strategy.tuning());
-	if (mayBeCloser && !inVain && outcome.ending == Ending::Reached)
-		comeCloser(part, start, strategy, outcome, partOf(progress, shareBefore, 1, "closer: "));
-	return outcome;
+	return solve(part, start, strategy, progress);
 }
 
 /// Steps that a bound cuts short often lead nowhere where panels that are sewn together pull at each other:
@@ -119,7 +110,7 @@ bool anyFree(const PatchAssembly& part) {
 
 PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 					  const ConstrainedNewtonOptions& options, const Progress& progress) {
-	constexpr double shareBefore = 0.85; // of the time
+	constexpr double shareBefore = 0.8, shareCloser = 0.95; // of the time
 	const double farthest = farthestAllowed(part, options.maxDisplacement);
 	const CurvatureGoal goal{options.curvatureTolerance, options.angleTolerance, farthest};
 	const bool startsNear = farthestMove(part, start) <= farthest;
@@ -132,7 +123,8 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 		result.ending = Ending::Stuck;
 		return result;
 	}
-	const bool isTight = farthest < farthestAllowed(part, -1) && mayComeCloser(part, options.tuning);
+	const bool isTight = farthest < farthestAllowed(part, -1) && part.isSewn() &&
+						 part.placeCount() <= options.tuning.returnPlaces;
 	NewtonOutcome outcome = (isTight ? solvePreferringFirst : solveWithin)(
 		part, result.positions, options, goal, partOf(progress, 0, shareBefore));
 	if (outcome.ending == Ending::Stuck && options.tuning.curvatureSteps > 0 && !holdsPlaces(part))
@@ -142,7 +134,9 @@ PartOutcome solvePart(const PatchAssembly& part, const Positions& start,
 	if (outcome.ending != Ending::Stopped && goal.reached(part, flatDefects(part, outcome.positions)))
 		outcome.ending = Ending::Reached;
 	if (outcome.ending == Ending::Reached)
-		separateBorders(part, options, goal, outcome, partOf(progress, shareBefore, 1, "moving apart: "));
+		comeCloser(part, options, goal, outcome, partOf(progress, shareBefore, shareCloser, "closer: "));
+	if (outcome.ending == Ending::Reached)
+		separateBorders(part, options, goal, outcome, partOf(progress, shareCloser, 1, "moving apart: "));
 	return {statusOf(outcome.ending, part), outcome.ending, outcome.iterations, std::move(outcome.positions),
 			outcome.nearestDevelopable,     outcome.work};
 }

@@ -8,12 +8,17 @@ namespace developable::detail {
 
 namespace {
 
-/// What of the total absolute curvature is gone after some steps, in words.
+/// What of the total absolute curvature is gone after some steps, in words. A run that began at a developable
+/// shape has more on its way than at first.
 std::string describeCurvature(double start, double left, int steps) {
 	char text[160];
-	std::snprintf(text, sizeof text,
-				  "%d steps: %.4g %% of the total absolute curvature removed, %.3g rad left", steps,
-				  100 * (1 - left / start), left);
+	if (left > start)
+		std::snprintf(text, sizeof text, "%d steps: %.3g rad of the total absolute curvature to remove",
+					  steps, left);
+	else
+		std::snprintf(text, sizeof text,
+					  "%d steps: %.4g %% of the total absolute curvature removed, %.3g rad left", steps,
+					  100 * (1 - left / start), left);
 	return text;
 }
 

@@ -2,6 +2,7 @@
 // newton_strategy.cpp: coarse levels first, then refinement.
 #include "newton_strategy.h"
 
+#include "closer_shapes.h"
 #include "coarsening.h"
 #include "displacement_metric.h"
 #include "fair_descent.h"
@@ -67,14 +68,14 @@ NewtonStrategy::NewtonStrategy(double smoothness, double fairness, const Curvatu
 void NewtonStrategy::beginNearFairShape(double fairness) {
 	shapeSmoothness_ = shapeSmoothness(fairness);
 	tuning_.fairSteps = 1;
-	fairerElsewhere_ = true;
+	leftToOthers_.fairness = true;
 }
 
 /// With less room to move, for what the finest level adds. Where that is large enough for local steps, so are
 /// all levels: the nearer these end, the better it begins.
 NewtonStrategy NewtonStrategy::coarser(const Level& level) const {
 	NewtonStrategy result = *this;
-	if (!isCoarse_) {
+	if (!leftToOthers_.finestLevel) {
 		if (isWithoutDetail(level))
 			result.tuning_.preferredLength =
 				preferredMove(level.assembly) - roomOfDetail(level.assembly, *level.fair);
@@ -84,8 +85,8 @@ NewtonStrategy NewtonStrategy::coarser(const Level& level) const {
 		result.tuning_.localRows = tuning_.coarseLocalRows;
 	}
 	result.tuning_.localPlaces = static_cast<int>(tuning_.localPlaces / tuning_.levelRatio);
-	result.isCoarse_ = true;
-	result.fairerElsewhere_ = fairerElsewhere_ || descends(level);
+	result.leftToOthers_.finestLevel = true;
+	result.leftToOthers_.fairness = leftToOthers_.fairness || descends(level);
 	return result;
 }
 
@@ -160,14 +161,14 @@ std::unique_ptr<NewtonProblem> NewtonStrategy::problemOf(const Level& level, New
 
 std::unique_ptr<NewtonProblem> NewtonStrategy::fineProblemOf(const Level& level) const {
 	std::unique_ptr<NewtonProblem> problem =
-		problemOf(level, othersFollow_ ? tuning_.beforeOthers() : tuning_);
+		problemOf(level, leftToOthers_.waysBack ? tuning_.beforeOthers() : tuning_);
 	problem->setSmoothness(smoothness_);
 	problem->jacobian().freeBorders(true);
 	return problem;
 }
 
 bool NewtonStrategy::descends(const Level& level) const {
-	return isNearFairShape() && !fairerElsewhere_ && level.assembly.placeCount() <= tuning_.fairPlaces;
+	return isNearFairShape() && !leftToOthers_.fairness && level.assembly.placeCount() <= tuning_.fairPlaces;
 }
 
 NewtonOutcome NewtonStrategy::solveLevel(const Level& level, const Positions& start,
@@ -235,6 +236,11 @@ NewtonOutcome NewtonStrategy::solveCoarsest(const Level& level, const Positions&
 											const Progress& progress) const {
 	const std::unique_ptr<NewtonProblem> problem = problemOf(level, tuning_);
 	NewtonOutcome outcome = attemptFrom(*problem, start, smoothness_, maxIterations_, progress);
+	if (outcome.ending == Ending::Reached && leftToOthers_.finestLevel && level.assembly.isSewn()) {
+		problem->setSmoothness(smoothness_);
+		problem->jacobian().freeBorders(!outcome.bordersLimited);
+		comeCloser(*problem, maxIterations_, outcome, progress);
+	}
 	const bool tooFar = outcome.nearestDevelopable > 0;
 	const bool hemmedIn = tooFar || holdsPlaces(level.assembly);
 	const bool wanted = tuning_.leastSquares > 0 && (hemmedIn || !budget_->spent());

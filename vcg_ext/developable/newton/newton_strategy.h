@@ -40,9 +40,10 @@ public:
 	void coarsenFrom(int places) { tuning_.coarsest = places; }
 	/// Where panels that are sewn together can't be within that they are given up from now on.
 	void giveUpBeyondPreferred() { tuning_.beyondPreferred = 0; }
-	/// There are other ways, which may lead to within how far a place had better move: from now on finer
-	/// levels take none back to within it but from nearly there, see NewtonTuning::beforeOthers.
-	void leaveWaysBackToOthers() { othersFollow_ = true; }
+	/// Other ways may lead to within how far a place had better move: from now on, runs without frozen panels
+	/// included, finer levels take none back to within it but from nearly there, see
+	/// NewtonTuning::beforeOthers.
+	void leaveWaysBackToOthers() { leftToOthers_.waysBack = true; }
 
 	/// From coarse to fine, all patches together.
 	NewtonOutcome solve(const PatchAssembly& assembly, const Positions& start,
@@ -55,6 +56,13 @@ private:
 		std::optional<PatchAssembly> fair; ///< what the shape is to be near; the original where there is none
 
 		const PatchAssembly& reference() const { return fair ? *fair : assembly; }
+	};
+
+	/// What other strategies do, and so this one does not.
+	struct LeftToOthers {
+		bool finestLevel = false; // this one is at work on a coarser one
+		bool fairness = false;    // developable shapes are made fairer on a finer level, or not at all
+		bool waysBack = false;    // to within how far a place had better move
 	};
 
 	/// How far a place had better move, length.
@@ -91,9 +99,7 @@ private:
 	double memoryLimit_;
 	NewtonTuning tuning_;
 	std::shared_ptr<WorkBudget> budget_ = std::make_shared<WorkBudget>();
-	bool isCoarse_ = false;        // another one is at work on the finest level
-	bool fairerElsewhere_ = false; // on a finer level
-	bool othersFollow_ = false;
+	LeftToOthers leftToOthers_;
 };
 
 } // namespace developable::detail

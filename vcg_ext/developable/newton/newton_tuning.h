@@ -187,12 +187,11 @@ struct NewtonTuning {
 	double separationWorkPerPlace = 1500; ///< at most, in units of WorkBudget
 
 	// Panels that are sewn together and developable: closer yet, if that is easy.
-	double closerFrom = 0.5;    ///< share of the preferred move: less far is near enough
-	double closerPlaces = 0.05; ///< share of the places that may have moved farther than they are to move
-	double closerStep = 0.866;  ///< of a bound: the next lower one
-	int closerTries = 3;
-	double closerWorkPerPlace = 1500; ///< on each try, in units of WorkBudget
-	double closerGain = 0.9;          ///< share of the largest displacement: bounds above it gain too little
+	double closerFrom = 0.5; ///< share of the preferred move: less far is near enough
+	double closerReach = 3;  ///< of it: shapes farther away are left as they are
+	double closerStep = 0.9; ///< of the largest displacement: the bound of a round
+	int closerRounds = 8;
+	double closerWorkPerPlace = 2000; ///< on all rounds, in units of WorkBudget
 
 	// Panels that are sewn together and end beyond the preferred move, or are not developable.
 	int otherLevels = 3;            ///< other ways that are tried then at most

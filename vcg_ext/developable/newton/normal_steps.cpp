@@ -31,8 +31,11 @@ Ending NormalSteps::go() {
 	for (int idle = 0; !run_.shape().reached;) {
 		if (!run_.mayGoOn())
 			return Ending::Stopped;
+		if (taken_ == most_)
+			return Ending::Stuck;
 		if (!run_.takeCheapStep())
 			return Ending::OutOfSteps;
+		++taken_;
 		const double before = squaredDefects();
 		const double length = step_.factorize(run_.shape(), {}, epsilon_) ? stepsWithOneFactorization() : 0;
 		const double share = squaredDefects() / before;

@@ -21,6 +21,9 @@ public:
 	/// near. Steps that are stuck for all that begin again without.
 	void allowLocalSteps();
 
+	/// Where that is not enough they count as stuck.
+	void takeAtMost(int steps) { most_ = steps; }
+
 	/// \return Reached; Stuck, where steps have stopped to make a difference; OutOfSteps; Stopped
 	Ending run();
 
@@ -41,6 +44,7 @@ private:
 	const double farthest_;
 	NormalStep step_;
 	double epsilon_ = 0;
+	int most_ = std::numeric_limits<int>::max(), taken_ = 0;
 	bool mayGoLocally_ = false, wentLocally_ = false;
 };
 

@@ -2,7 +2,10 @@
 // border_parts.cpp: round a piece, half edge by half edge.
 #include "border_parts.h"
 
+#include "developable/geometry/geometry.h"
+
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -30,20 +33,14 @@ public:
 	}
 
 	bool has(int halfEdge) const { return place_.count(halfEdge) > 0; }
-	/// Half edge by half edge from a first place on this border.
-	struct Way {
-		int first = 0, count = 0;
-		double length = 0;
-	};
-	Way shorterWay(int a, int b) const {
-		const Way one = way(place_.at(a), place_.at(b)), other = way(place_.at(b), place_.at(a));
-		return one.length <= other.length ? one : other;
+	BorderWay shorterWay(int a, int b) const {
+		return detail::shorterWay(begins_, place_.at(a), place_.at(b));
 	}
-	bool isWithin(const Way& part, const Way& whole) const {
+	bool isWithin(const BorderWay& part, const BorderWay& whole) const {
 		const int after = (part.first - whole.first + size()) % size();
 		return after + part.count <= whole.count;
 	}
-	BorderPart partOf(const Way& way) const {
+	BorderPart partOf(const BorderWay& way) const {
 		BorderPart part;
 		for (int i = 0; i < way.count; ++i)
 			part.halfEdges.push_back(order_[(way.first + i) % size()]);
@@ -52,15 +49,16 @@ public:
 	}
 	/// A border that touches itself at a vertex has two ways on there, of which one may never lead back.
 	bool isClosed() const { return closed_; }
+	/// Where each half edge begins.
+	Eigen::Matrix2Xd points(const FlatPatterns& patterns) const {
+		Eigen::Matrix2Xd result(2, size());
+		for (int i = 0; i < size(); ++i)
+			result.col(i) = patterns.positions.col(patterns.vertexAt(order_[i]));
+		return result;
+	}
 
 private:
 	int size() const { return static_cast<int>(order_.size()); }
-	Way way(int from, int to) const {
-		const double whole = begins_.back();
-		const double between = begins_[to + 1] - begins_[from];
-		return from <= to ? Way{from, to - from + 1, between}
-						  : Way{from, to - from + 1 + size(), between + whole};
-	}
 
 	std::vector<int> order_;
 	std::vector<double> begins_; // of each, from the first on; and of all
@@ -77,13 +75,13 @@ std::vector<int> leavingHalfEdges(const FlatPatterns& patterns) {
 }
 
 /// Ways that are no part of others; of equal ones the first.
-std::vector<Border::Way> largestOf(std::vector<Border::Way> ways, const Border& border) {
+std::vector<BorderWay> largestOf(std::vector<BorderWay> ways, const Border& border) {
 	std::stable_sort(ways.begin(), ways.end(),
 					 [](const auto& a, const auto& b) { return a.count > b.count; });
-	std::vector<Border::Way> largest;
-	for (const Border::Way& way : ways)
+	std::vector<BorderWay> largest;
+	for (const BorderWay& way : ways)
 		if (std::none_of(largest.begin(), largest.end(),
-						 [&](const Border::Way& other) { return border.isWithin(way, other); }))
+						 [&](const BorderWay& other) { return border.isWithin(way, other); }))
 			largest.push_back(way);
 	return largest;
 }
@@ -91,7 +89,7 @@ std::vector<Border::Way> largestOf(std::vector<Border::Way> ways, const Border& 
 } // namespace
 
 std::vector<BorderPart> notchesOf(const FlatPatterns& patterns, const FlatPiece& piece) {
-	std::vector<std::pair<Border, std::vector<Border::Way>>> borders;
+	std::vector<std::pair<Border, std::vector<BorderWay>>> borders;
 	std::vector<int> leaving;
 	for (const auto& [a, b] : piece.crossings) {
 		auto at = std::find_if(borders.begin(), borders.end(),
@@ -106,9 +104,21 @@ std::vector<BorderPart> notchesOf(const FlatPatterns& patterns, const FlatPiece&
 	}
 	std::vector<BorderPart> notches;
 	for (const auto& [border, ways] : borders)
-		for (const Border::Way& way : largestOf(ways, border))
+		for (const BorderWay& way : largestOf(ways, border))
 			notches.push_back(border.partOf(way));
 	return notches;
+}
+
+double coveredStretch(const FlatPatterns& patterns, const FlatPiece& piece) {
+	constexpr double whole = std::numeric_limits<double>::infinity();
+	if (piece.crossings.empty())
+		return whole;
+	const Border border(patterns, leavingHalfEdges(patterns), piece.crossings.front()[0]);
+	const bool isOne = border.isClosed() &&
+					   std::all_of(piece.crossings.begin(), piece.crossings.end(), [&](const auto& crossing) {
+						   return border.has(crossing[0]) && border.has(crossing[1]);
+					   });
+	return isOne ? longestCoveredStretch(border.points(patterns)) : whole;
 }
 
 const BorderPart& largestNotch(const std::vector<BorderPart>& notches) {

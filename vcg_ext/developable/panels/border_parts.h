@@ -22,4 +22,8 @@ std::vector<BorderPart> notchesOf(const FlatPatterns& patterns, const FlatPiece&
 /// \param notches  one or more
 const BorderPart& largestNotch(const std::vector<BorderPart>& notches);
 
+/// The longest stretch of a piece's border that lies upon the piece itself, length.
+/// \param piece  one without cuts that crosses itself
+double coveredStretch(const FlatPatterns& patterns, const FlatPiece& piece);
+
 } // namespace developable::detail

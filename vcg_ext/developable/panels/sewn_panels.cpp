@@ -17,6 +17,10 @@ namespace {
 
 /// Of more places a coarse level has so many, or seams would be all that is left of its panels.
 constexpr int manyPlaces = 6000, placesOfMany = 2500;
+/// Of how far a panel may move: shorter stretches of its border that lie upon it are left to the whole run.
+constexpr double littleOverlap = 3;
+/// Of how far panels may move: from so far away a brief run looks for closer shapes.
+constexpr double nearlyWithin = 1.3;
 
 /// A panel without a border can't be made developable. \return whether there is any
 bool markClosed(const PatchAssembly& assembly, const CutSurface& surface, SewnPanels& result) {
@@ -106,8 +110,10 @@ Positions cornersOf(const PatchAssembly& assembly, const Positions& positions, c
 }
 
 /// Panels that overlap themselves when laid flat, or need a cut for it, are none, however developable.
+/// \param little  per panel, length: shorter stretches upon the panel itself are no matter; empty: all are
 void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions, const CutSurface& surface,
-					const std::vector<int>& panelOfPatch, SewnPanels& result) {
+					const std::vector<int>& panelOfPatch, const std::vector<double>& little,
+					SewnPanels& result) {
 	constexpr double farthest = 0.2; // share of a border: what goes farther is no matter of a dart or a notch
 	const FlatPatterns patterns = flattenPatches(assembly, positions);
 	const auto pointAt = [&](int h) { // inside the triangle: beside a slit, not on it
@@ -117,6 +123,9 @@ void refuseOverlaps(const PatchAssembly& assembly, const Positions& positions, c
 	for (std::size_t patch = 0; patch < patterns.pieces.size(); ++patch) {
 		const FlatPiece& piece = patterns.pieces[patch];
 		if (!piece.overlapping && piece.cuts == 0)
+			continue;
+		if (piece.cuts == 0 && !little.empty() &&
+			coveredStretch(patterns, piece) <= little[panelOfPatch[patch]])
 			continue;
 		CutPanel& panel = result.panels[panelOfPatch[patch]];
 		panel.developable = false;
@@ -203,7 +212,11 @@ void developCoarsely(const PatchAssembly& assembly, const CutSurface& surface,
 	if (!judgeCurvature(options, panelOfCoarsePatch, limits, result))
 		return;
 	const Positions carried = carriedOver(shape, coarse, positions - coarse.assembly.originalPositions);
-	refuseOverlaps(shape, shape.originalPositions + carried, surface, panelOfPatch, result);
+	// Little of what is seen here is there in the end, and the method moves most of that apart.
+	std::vector<double> little = limits;
+	for (double& length : little)
+		length *= littleOverlap;
+	refuseOverlaps(shape, shape.originalPositions + carried, surface, panelOfPatch, little, result);
 }
 
 /// With zero strain, as the user will. In single precision what came of it may be laid flat before it is
@@ -217,11 +230,11 @@ void developWholly(const PatchAssembly& assembly, const CutSurface& surface,
 	measurePanels(assembly, positions, surface, panelOfPatch, limits, result);
 	if (!judgeCurvature(options, panelOfPatch, limits, result))
 		return;
-	refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
+	refuseOverlaps(assembly, positions, surface, panelOfPatch, {}, result);
 	if (!singlePrecision || worstOf(result) >= 0)
 		return;
 	positions = rounded<float>(positions, assembly.lengthExponent);
-	refuseOverlaps(assembly, positions, surface, panelOfPatch, result);
+	refuseOverlaps(assembly, positions, surface, panelOfPatch, {}, result);
 }
 
 /// With a material.
@@ -325,7 +338,8 @@ SewnPanels developSewnPanels(const TriangleMesh& mesh, const CutSurface& surface
 	if (brief) {
 		options.tuning.otherLevels = 1;
 		options.tuning.preferredLength = *std::max_element(limits.begin(), limits.end());
-		options.tuning.closerTries = 0;
+		options.tuning.closerFrom = 1;
+		options.tuning.closerReach = nearlyWithin;
 	}
 	result.provisional = brief;
 	result.coarse =
@@ -347,7 +361,7 @@ SewnPanels overlapsOfShape(const TriangleMesh& mesh, const CutSurface& surface, 
 	for (int corner = 0; corner < 3 * assembly.triangleCount(); ++corner)
 		positions.col(assembly.placeAt(corner)) =
 			shape.corners.col(3 * assembly.faceOfTriangle[triangleOf(corner)] + cornerInTriangle(corner));
-	refuseOverlaps(assembly, positions, surface, panelsOfPatches(assembly, surface), result);
+	refuseOverlaps(assembly, positions, surface, panelsOfPatches(assembly, surface), {}, result);
 	return result;
 }
 
