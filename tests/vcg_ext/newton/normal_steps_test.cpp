@@ -48,6 +48,25 @@ TEST(NormalSteps, TakeAwayCurvatureOfShortWaves) {
 	expectSound(assembly, run.shape().positions);
 }
 
+/// With as many as it takes they get there; with one fewer they are stuck, and the run may go on.
+TEST(NormalSteps, TakeNoMoreThanTheyMay) {
+	const PatchAssembly assembly = assembled(noisy(jitteredGrid(25, 25, quarterCylinder), 0.02));
+	const Progress silent;
+	const auto endingWith = [&](int most) {
+		detail::NewtonProblem problem = problemOf(assembly);
+		detail::NewtonRun run(problem, assembly.originalPositions, 100, silent);
+		detail::NormalSteps steps(problem, run, 1);
+		steps.takeAtMost(most);
+		const detail::Ending ending = steps.run();
+		return std::make_pair(ending, run.iterations());
+	};
+	const auto [ending, taken] = endingWith(100);
+	ASSERT_EQ(ending, detail::Ending::Reached);
+	ASSERT_GT(taken, 1);
+	EXPECT_EQ(endingWith(taken), std::make_pair(detail::Ending::Reached, taken));
+	EXPECT_EQ(endingWith(taken - 1), std::make_pair(detail::Ending::Stuck, taken - 1));
+}
+
 TEST(NormalSteps, EndAtTheirLimitsAndWhenAskedTo) {
 	const PatchAssembly assembly = assembled(jitteredGrid(15, 15, largeSaddle));
 	detail::NewtonProblem problem = problemOf(assembly);

@@ -3,6 +3,7 @@
 #include "closer_shapes.h"
 
 #include "displacement_metric.h"
+#include "gauss_newton.h"
 #include "restoration_within_bound.h"
 
 #include <algorithm>
@@ -19,10 +20,19 @@ bool isCloser(const NewtonProblem& problem, const Shape& shape, const Shape& bef
 	return shape.farthest < before.farthest && shape.farthest * mean(shape) < before.farthest * mean(before);
 }
 
-} // namespace
+/// Whether the farthest place is neither near enough nor too far away.
+/// \param preferred  how far a place had better move, length
+bool isWorthwhile(const NewtonTuning& tuning, const PatchAssembly& assembly, const Positions& positions,
+				  double preferred) {
+	const double farthest = farthestMove(assembly, positions);
+	return tuning.closerRounds > 0 && farthest > tuning.closerFrom * preferred &&
+		   farthest <= tuning.closerReach * preferred;
+}
 
-Ending comeCloser(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double nearEnough) {
+/// Ends with the run at the closest shape. \return as the last restoration ended
+Ending shrinkBound(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps) {
 	const NewtonTuning& tuning = problem.tuning();
+	const double nearEnough = tuning.closerFrom * problem.preferredMove();
 	Shape closest = run.shape();
 	Ending ending = Ending::Reached;
 	for (int round = 0; round < tuning.closerRounds && closest.farthest > nearEnough; ++round) {
@@ -38,18 +48,17 @@ Ending comeCloser(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, do
 	return ending;
 }
 
+} // namespace
+
 void comeCloser(NewtonProblem& problem, int maxIterations, NewtonOutcome& outcome, const Progress& progress) {
 	const NewtonTuning& tuning = problem.tuning();
-	const double nearEnough = tuning.closerFrom * problem.preferredMove();
-	const double farthest = farthestMove(problem.assembly(), outcome.positions);
-	if (tuning.closerRounds == 0 || farthest <= nearEnough ||
-		farthest > tuning.closerReach * problem.preferredMove())
+	if (!isWorthwhile(tuning, problem.assembly(), outcome.positions, problem.preferredMove()))
 		return;
 	NewtonRun run(problem, outcome.positions, maxIterations, progress);
 	GaussNewton steps(problem, run, true, problem.goal().farthest);
 	if (steps.unsolvable() || !run.shape().reached)
 		return;
-	if (comeCloser(problem, run, steps, nearEnough) == Ending::Stopped)
+	if (shrinkBound(problem, run, steps) == Ending::Stopped)
 		outcome.ending = Ending::Stopped;
 	outcome.iterations += run.iterations();
 	outcome.positions = run.shape().positions;
@@ -58,7 +67,10 @@ void comeCloser(NewtonProblem& problem, int maxIterations, NewtonOutcome& outcom
 void comeCloser(const PatchAssembly& part, const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
 				NewtonOutcome& outcome, const Progress& progress) {
 	const NewtonTuning& tuning = options.tuning;
-	if (!part.isSewn() || holdsPlaces(part) || part.placeCount() > tuning.returnPlaces)
+	const double preferred =
+		std::min(tuning.preferredBound(boxDiagonal(part.originalPositions)), goal.farthest);
+	if (!part.isSewn() || holdsPlaces(part) || part.placeCount() > tuning.returnPlaces ||
+		!isWorthwhile(tuning, part, outcome.positions, preferred))
 		return;
 	NewtonProblem problem(part, goal, tuning, options.memoryLimit);
 	problem.setBudget(std::make_shared<WorkBudget>(tuning.closerWorkPerPlace * part.placeCount()));

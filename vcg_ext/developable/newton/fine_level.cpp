@@ -60,11 +60,13 @@ std::optional<Positions> preferredStart(const NewtonProblem& problem, const Coar
 	return smoothed.curvature < whole.curvature ? smoothed.positions : whole.positions;
 }
 
-/// Steps that keep the preferred bound leave little curvature, which a restoration removes.
+/// Steps that keep the preferred bound leave little curvature, which a restoration removes. Where that may
+/// follow they take half of the iterations at most: some creep at the bound.
 Ending refineWithinPreferred(NewtonProblem& problem, NewtonRun& run, int maxIterations) {
 	NormalSteps along(problem, run, problem.preferredMove());
 	along.allowLocalSteps();
-	along.takeAtMost(maxIterations / 2);
+	if (isSmallEnoughToReturn(problem))
+		along.takeAtMost(maxIterations / 2);
 	const Ending ending = along.run();
 	const bool near = run.shape().curvature < problem.tuning().nearlyThere * run.startCurvature();
 	if (ending != Ending::Stuck || !near || !isSmallEnoughToReturn(problem))
