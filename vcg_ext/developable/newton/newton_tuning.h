@@ -187,9 +187,9 @@ struct NewtonTuning {
 	double separationWorkPerPlace = 1500; ///< at most, in units of WorkBudget
 
 	// Panels that are sewn together and developable: closer yet, if that is easy.
-	double closerFrom = 0.5; ///< share of the preferred move: less far is near enough
-	double closerReach = 3;  ///< of it: shapes farther away are left as they are
-	double closerStep = 0.9; ///< of the largest displacement: the bound of a round
+	double closerFrom = 0.5;  ///< share of the preferred move: less far is near enough
+	double closerReach = 1.5; ///< of it: shapes farther away are left as they are
+	double closerStep = 0.9;  ///< of the largest displacement: the bound of a round
 	int closerRounds = 8;
 	double closerWorkPerPlace = 2000; ///< on all rounds, in units of WorkBudget
 
