@@ -25,6 +25,21 @@ inline PatchAssembly sewnPatches(int columns) {
 	return mirroredPatches(columns, saddle);
 }
 
+/// A stop while the method says so: it has come that far, ends, and leaves the positions as they were.
+inline void expectStopsAt(const std::string& saying, const PatchAssembly& assembly,
+						  const ConstrainedNewtonOptions& options) {
+	Positions positions = assembly.originalPositions;
+	bool begun = false;
+	const ConstrainedNewtonReport report =
+		constrainedNewton(assembly, positions, options, [&](double, const std::string& message) {
+			begun = begun || message.find(saying) != std::string::npos;
+			return !begun;
+		});
+	EXPECT_TRUE(begun) << saying;
+	EXPECT_EQ(report.status, Status::Stopped) << saying;
+	EXPECT_EQ(positions, assembly.originalPositions) << saying;
+}
+
 inline double smallestAngle(const PatchAssembly& assembly, const Positions& positions) {
 	double smallest = pi;
 	for (const auto& places : assembly.trianglePlaces.colwise())

@@ -57,17 +57,7 @@ TEST(CloserShapes, areNotLookedForOfASinglePanelNorOfWhatIsNear) {
 }
 
 TEST(CloserShapes, areGivenUpWhenOneStops) {
-	const PatchAssembly assembly = sewnPatches(25);
-	Positions positions = assembly.originalPositions;
-	bool begun = false;
-	const ConstrainedNewtonReport report =
-		constrainedNewton(assembly, positions, {}, [&](double, const std::string& message) {
-			begun = begun || message.find("closer: ") != std::string::npos;
-			return !begun;
-		});
-	EXPECT_TRUE(begun);
-	EXPECT_EQ(report.status, Status::Stopped);
-	EXPECT_EQ(positions, assembly.originalPositions);
+	expectStopsAt("closer: ", sewnPatches(25), {});
 }
 
 } // namespace

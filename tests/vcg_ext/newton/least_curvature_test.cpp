@@ -151,19 +151,9 @@ TEST(LowerCurvature, LeavesWhatHoldsPlacesAsItIs) {
 }
 
 TEST(LowerCurvature, StopsWhenItIsTold) {
-	const PatchAssembly assembly = dome();
-	Positions positions = assembly.originalPositions;
 	ConstrainedNewtonOptions options;
 	options.maxDisplacement = 0.01;
-	bool begun = false;
-	const ConstrainedNewtonReport report =
-		constrainedNewton(assembly, positions, options, [&](double, const std::string& message) {
-			begun = begun || message.find("what is left: ") != std::string::npos;
-			return !begun;
-		});
-	EXPECT_TRUE(begun);
-	EXPECT_EQ(report.status, Status::Stopped);
-	EXPECT_EQ(positions, assembly.originalPositions);
+	expectStopsAt("what is left: ", dome(), options);
 }
 
 } // namespace

@@ -93,16 +93,7 @@ TEST(OtherLevels, AreOfSewnPanelsThatAreFreeAndOfAMiddlingSize) {
 }
 
 TEST(OtherLevels, StopWhenTheyAreTold) {
-	const PatchAssembly assembly = mirroredPatches(28, saddle, 2);
-	Positions positions = assembly.originalPositions;
-	bool begun = false;
-	const ConstrainedNewtonReport report =
-		constrainedNewton(assembly, positions, optionsWith(1), [&](double, const std::string& message) {
-			begun = begun || message.find("another way: ") != std::string::npos;
-			return !begun;
-		});
-	EXPECT_TRUE(begun);
-	EXPECT_EQ(report.status, Status::Stopped);
+	expectStopsAt("another way: ", mirroredPatches(28, saddle, 2), optionsWith(1));
 }
 
 } // namespace

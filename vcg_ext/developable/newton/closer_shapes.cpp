@@ -67,10 +67,8 @@ void comeCloser(NewtonProblem& problem, int maxIterations, NewtonOutcome& outcom
 void comeCloser(const PatchAssembly& part, const ConstrainedNewtonOptions& options, const CurvatureGoal& goal,
 				NewtonOutcome& outcome, const Progress& progress) {
 	const NewtonTuning& tuning = options.tuning;
-	const double preferred =
-		std::min(tuning.preferredBound(boxDiagonal(part.originalPositions)), goal.farthest);
 	if (!part.isSewn() || holdsPlaces(part) || part.placeCount() > tuning.returnPlaces ||
-		!isWorthwhile(tuning, part, outcome.positions, preferred))
+		!isWorthwhile(tuning, part, outcome.positions, preferredMove(part, tuning, goal)))
 		return;
 	NewtonProblem problem(part, goal, tuning, options.memoryLimit);
 	problem.setBudget(std::make_shared<WorkBudget>(tuning.closerWorkPerPlace * part.placeCount()));

@@ -6,6 +6,10 @@
 
 namespace developable::detail {
 
+double preferredMove(const PatchAssembly& part, const NewtonTuning& tuning, const CurvatureGoal& goal) {
+	return std::min(tuning.preferredBound(boxDiagonal(part.originalPositions)), goal.farthest);
+}
+
 NewtonProblem::NewtonProblem(const PatchAssembly& assembly, const PatchAssembly& reference,
 							 const CurvatureGoal& goal, const NewtonTuning& tuning, double memoryLimit,
 							 double shapeSmoothness)

@@ -26,6 +26,9 @@ struct Shape {
 	double squaredDefects() const { return scaledDefects.squaredNorm(); }
 };
 
+/// How far a place of a part had better move at most, length.
+double preferredMove(const PatchAssembly& part, const NewtonTuning& tuning, const CurvatureGoal& goal);
+
 /// Of all sound shapes with g = 0 the one is sought whose displacement d from the original has the least
 /// ‖d‖_W. What steps of every kind need for that is held here once: the goal, the metric W, the derivative J
 /// of g, and what a sound shape is.

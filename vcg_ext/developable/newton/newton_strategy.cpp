@@ -78,7 +78,7 @@ NewtonStrategy NewtonStrategy::coarser(const Level& level) const {
 	if (!leftToOthers_.finestLevel) {
 		if (isWithoutDetail(level))
 			result.tuning_.preferredLength =
-				preferredMove(level.assembly) - roomOfDetail(level.assembly, *level.fair);
+				preferredMove(level.assembly, tuning_, goal_) - roomOfDetail(level.assembly, *level.fair);
 		result.goal_.farthest *= tuning_.coarseRoom;
 		result.tuning_.preferredMove *= tuning_.coarseRoom;
 		result.tuning_.preferredLength *= tuning_.coarseRoom;
@@ -128,15 +128,11 @@ NewtonOutcome NewtonStrategy::solveNear(const Level& level, const Positions& sta
 	return {along == Ending::OutOfSteps ? Ending::Stuck : along, run.iterations(), run.shape().positions};
 }
 
-double NewtonStrategy::preferredMove(const PatchAssembly& assembly) const {
-	return std::min(tuning_.preferredBound(boxDiagonal(assembly.originalPositions)), goal_.farthest);
-}
-
 void NewtonStrategy::leaveDetail(Level& level) const {
 	const PatchAssembly& assembly = level.assembly;
 	if (!assembly.isSewn() || tuning_.isCoarsest(assembly.placeCount(), tuning_.fewestTogether()))
 		return;
-	level.fair = withoutDetail(assembly, preferredMove(assembly), tuning_, memoryLimit_);
+	level.fair = withoutDetail(assembly, preferredMove(assembly, tuning_, goal_), tuning_, memoryLimit_);
 }
 
 NewtonStrategy::Level NewtonStrategy::levelOf(const PatchAssembly& assembly, double coarseness) const {

@@ -65,8 +65,6 @@ private:
 		bool waysBack = false;    // to within how far a place had better move
 	};
 
-	/// How far a place had better move, length.
-	double preferredMove(const PatchAssembly& assembly) const;
 	Unfairness unfairnessOf(const PatchAssembly& assembly) const;
 	Level levelOf(const PatchAssembly& assembly, double coarseness) const;
 	/// Where coarser levels will follow, of panels that are sewn together: they would take noise for shape.

@@ -17,6 +17,13 @@ constexpr double shareOfPlaces = 0.6;
 /// usual way leads astray these lead eight within the preferred move.
 constexpr double fairnesses[] = {0.15, 0.08, 0};
 
+/// Whether it is developable, and no place is farther than it had better move.
+bool isWithinPreferred(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonTuning& tuning) {
+	return outcome.ending == Ending::Reached &&
+		   farthestMove(part, outcome.positions) <=
+			   tuning.preferredBound(boxDiagonal(part.originalPositions));
+}
+
 bool isNearer(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonOutcome& other) {
 	if (outcome.ending != Ending::Reached || other.ending != Ending::Reached)
 		return outcome.ending == Ending::Reached;
@@ -40,12 +47,6 @@ NewtonStrategy otherStrategy(double fairness, const PatchAssembly& part, const N
 }
 
 } // namespace
-
-bool isWithinPreferred(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonTuning& tuning) {
-	return outcome.ending == Ending::Reached &&
-		   farthestMove(part, outcome.positions) <=
-			   tuning.preferredBound(boxDiagonal(part.originalPositions));
-}
 
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning) {
 	constexpr double hardlyFewer = 0.9; // than a coarsest level has

@@ -10,9 +10,6 @@
 
 namespace developable::detail {
 
-/// Whether it is developable, and no place is farther than it had better move.
-bool isWithinPreferred(const PatchAssembly& part, const NewtonOutcome& outcome, const NewtonTuning& tuning);
-
 /// Whether a part has panels that are sewn together, free to move, and is small enough to be solved more than
 /// once, but not too small for a coarser level.
 bool mayTryOtherLevels(const PatchAssembly& part, const NewtonTuning& tuning);
