@@ -30,6 +30,50 @@ TEST(Coarsening, KeepsTopologySeamsAndPositions) {
 	}
 }
 
+/// The share that the smallest inner place has of the area, beside the mean of all inner ones.
+double leastShare(const PatchAssembly& assembly) {
+	const Eigen::VectorXd areas = copyAreas(assembly, assembly.originalPositions);
+	double least = areas.maxCoeff(), sum = 0;
+	int count = 0;
+	for (int copy = 0; copy < assembly.copyCount(); ++copy)
+		if (assembly.copyInterior[copy]) {
+			least = std::min(least, areas[copy]);
+			sum += areas[copy];
+			++count;
+		}
+	return least * count / sum;
+}
+
+/// The square of complex numbers makes triangles up to fifty times as large as others, and none thin.
+TEST(Coarsening, TakesOutWhereTrianglesAreSmall) {
+	TriangleMesh mesh = jitteredGrid(41, 41, flatSheet);
+	for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+		const double x = 0.15 + mesh.positions(0, vertex), y = 0.15 + mesh.positions(1, vertex);
+		mesh.positions.col(vertex) = Eigen::Vector3d(x * x - y * y, 2 * x * y, 0);
+	}
+	const PatchAssembly fine = assembled(mesh);
+	const PartialAssembly coarse = detail::Coarsening(fine, {}).coarsen(fine.placeCount() / 4);
+	EXPECT_LT(leastShare(fine), 0.1);
+	EXPECT_GT(leastShare(coarse.assembly), 0.25);
+}
+
+/// A border in zigzag turns sharply everywhere, but by less than a coarse edge.
+TEST(Coarsening, TakesOutJagsOfABorder) {
+	TriangleMesh mesh = jitteredGrid(41, 41, flatSheet);
+	for (int vertex = 1; vertex < 41; vertex += 2)
+		mesh.positions(1, vertex) -= 0.5 / 40;
+	const PatchAssembly fine = assembled(mesh);
+	const auto left = [&](const NewtonTuning& with) {
+		const PartialAssembly coarse = detail::Coarsening(fine, with).coarsen(100);
+		return std::count_if(coarse.wholePlace.begin(), coarse.wholePlace.end(),
+							 [](int place) { return place < 41; });
+	};
+	NewtonTuning tuning;
+	tuning.coarseShortening = 0.001;
+	EXPECT_LT(left({}), 20);
+	EXPECT_GT(left(tuning), 30);
+}
+
 TEST(Coarsening, KeepsCornersAndAllOfTheAreaOfASheet) {
 	const PatchAssembly sheet = assembled(jitteredGrid(41, 41, flatSheet));
 	const PartialAssembly coarse = detail::Coarsening(sheet, {}).coarsen(100);

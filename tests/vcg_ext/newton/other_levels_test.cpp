@@ -32,7 +32,7 @@ double farthestShare(const PatchAssembly& assembly, const Positions& positions) 
 
 /// The first is solved from a coarser level, the others directly.
 TEST(OtherLevels, LeadToAShapeThatIsNearWhereTheUsualOneEndsFarAway) {
-	for (const PatchAssembly& assembly : {mirroredPatches(52, saddle, 1.7), mirroredPatches(29, saddle, 2),
+	for (const PatchAssembly& assembly : {mirroredPatches(54, saddle, 1.5), mirroredPatches(29, saddle, 2),
 										  mirroredPatches(26, largeSaddle, 0.7)}) {
 		EXPECT_GT(farthestShare(assembly, solved(assembly, 0)), 1.2);
 		const Positions positions = solved(assembly);

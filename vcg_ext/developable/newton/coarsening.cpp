@@ -2,6 +2,8 @@
 // coarsening.cpp: collapses places into neighbours, sweep by sweep.
 #include "coarsening.h"
 
+#include "developable/geometry/geometry.h"
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -23,16 +25,26 @@ Coarsening::Coarsening(const PatchAssembly& assembly, const NewtonTuning& tuning
 }
 
 PartialAssembly Coarsening::coarsen(int placesWanted) {
-	int before = 0;
-	do {
-		before = placeCount_;
-		sweep(placesWanted);
-	} while (placeCount_ > placesWanted && placeCount_ < 0.97 * before);
+	constexpr double few = 0.97; // that are left of all by a sweep that was not worth its while
+	const double area = copyAreas(assembly_, assembly_.originalPositions).sum();
+	const double edge = std::sqrt(2 * area / (std::sqrt(3.0) * placesWanted)); // of even triangles
+	shortening_ = tuning_.coarseShortening * edge;
+	double share = tuning_.coarseShare;
+	while (placeCount_ > placesWanted && share <= 1) {
+		const int before = placeCount_;
+		sweep(placesWanted, share);
+		if (placeCount_ > few * before)
+			share *= 2; // most of the smallest are corners, or in the way of each other
+	}
 	return partialAssembly(assembly_, trianglesWhere(triangles_, [&](int t) { return alive_[t]; }));
 }
 
+Eigen::Vector3d Coarsening::placePosition(int place) const {
+	return assembly_.originalPositions.col(place);
+}
+
 Eigen::Vector3d Coarsening::position(int copy) const {
-	return assembly_.originalPositions.col(assembly_.placeOfCopy[copy]);
+	return placePosition(assembly_.placeOfCopy[copy]);
 }
 
 void Coarsening::findCurves() {
@@ -55,10 +67,22 @@ bool Coarsening::turnsSharply(int place) const {
 	const auto [a, b] = curveNeighbours_[place];
 	if (a < 0)
 		return false;
-	const Eigen::Vector3d here = assembly_.originalPositions.col(place);
-	return (here - assembly_.originalPositions.col(a))
-			   .normalized()
-			   .dot((assembly_.originalPositions.col(b) - here).normalized()) < tuning_.curveCorner;
+	const Eigen::Vector3d here = placePosition(place), from = placePosition(a), to = placePosition(b);
+	return (here - from).norm() + (to - here).norm() - (to - from).norm() > shortening_;
+}
+
+std::vector<double> Coarsening::areas() const {
+	std::vector<double> areas(assembly_.placeCount(), 0);
+	for (int t = 0; t < assembly_.triangleCount(); ++t) {
+		if (!alive_[t])
+			continue;
+		const Eigen::Vector3d corner = position(triangles_(0, t));
+		const double doubleArea =
+			(position(triangles_(1, t)) - corner).cross(position(triangles_(2, t)) - corner).norm();
+		for (const int copy : triangles_.col(t))
+			areas[assembly_.placeOfCopy[copy]] += doubleArea;
+	}
+	return areas;
 }
 
 void Coarsening::addCurveNeighbour(int place, int neighbour) {
@@ -73,10 +97,19 @@ void Coarsening::addCurveNeighbour(int place, int neighbour) {
 		corner_[place] = 1;
 }
 
-void Coarsening::sweep(int placesWanted) {
+void Coarsening::sweep(int placesWanted, double share) {
+	const std::vector<double> areas = this->areas();
+	std::vector<double> ofLeft;
+	ofLeft.reserve(placeCount_);
+	for (int place = 0; place < assembly_.placeCount(); ++place)
+		if (!removed_[place])
+			ofLeft.push_back(areas[place]);
+	const auto largest = ofLeft.begin() + static_cast<int>(share * (placeCount_ - 1));
+	std::nth_element(ofLeft.begin(), largest, ofLeft.end());
 	locked_.assign(assembly_.placeCount(), 0);
 	for (int place = 0; place < assembly_.placeCount() && placeCount_ > placesWanted; ++place)
-		if (!removed_[place] && !locked_[place] && !corner_[place] && !turnsSharply(place) && mayGo(place))
+		if (areas[place] <= *largest && !removed_[place] && !locked_[place] && !corner_[place] &&
+			!turnsSharply(place) && mayGo(place))
 			remove(place);
 }
 

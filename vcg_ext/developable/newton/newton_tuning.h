@@ -228,7 +228,8 @@ struct NewtonTuning {
 	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while
 	double prolongationBending = 0.3; ///< β in units of (A/n)²: waves below five coarse edges are left out
 	double prolongationMass = 1e-6;   ///< share of its mass that a place has which the coarse level has not
-	double curveCorner = 0.9;         ///< cosine of the turn at which a border has a corner that stays
+	double coarseShortening = 0.1;    ///< of a border, by a place that goes at most, in coarse edges
+	double coarseShare = 0.25;        ///< of the places, the smallest, that may go in a sweep
 	double coarseTurn = 0.5;          ///< cosine of the angle that a triangle may turn by
 	double coarseCotangent = 4;       ///< the greatest of a new triangle's angles
 	int coarseFan = 9; ///< triangles round a place that goes: more leave a fan that is no better
