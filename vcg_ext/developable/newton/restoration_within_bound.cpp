@@ -9,13 +9,15 @@ namespace developable::detail {
 
 namespace {
 
-/// Makes places heavier while it lives.
+/// Makes places heavier for some time.
 class HeavyPlaces {
 public:
 	explicit HeavyPlaces(NewtonProblem& problem) : problem_(problem), before_(problem.metric().weight()) {}
 	HeavyPlaces(const HeavyPlaces&) = delete;
 	HeavyPlaces& operator=(const HeavyPlaces&) = delete;
-	~HeavyPlaces() { problem_.weigh(before_ - problem_.metric().weight()); }
+
+	/// As before. Memory may be missing for it: no matter of a destructor.
+	void lighten() { problem_.weigh(before_ - problem_.metric().weight()); }
 
 	/// By how near each is to a bound, and by more in every round: with the same weight the last hundredths
 	/// of the way would take ever smaller steps. \return whether the metric can be factorised then
@@ -36,13 +38,13 @@ private:
 	double increase_ = 1;
 };
 
-Ending restoreHeavily(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound) {
+Ending restoreHeavily(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound,
+					  HeavyPlaces& heavy) {
 	const NewtonTuning& tuning = problem.tuning();
 	const double epsilon = tuning.returnRestoration * steps.greatestResponse();
 	std::optional<Shape> found;
 	if (run.shape().reached)
 		found = run.shape();
-	HeavyPlaces heavy(problem);
 	Ending ending = Ending::Stuck;
 	for (int round = 0; round < tuning.boundRounds; ++round) {
 		const bool beyond = run.shape().farthest > bound;
@@ -67,7 +69,9 @@ Ending restoreHeavily(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps
 } // namespace
 
 Ending restoreWithin(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double bound) {
-	const Ending ending = restoreHeavily(problem, run, steps, bound);
+	HeavyPlaces heavy(problem);
+	const Ending ending = restoreHeavily(problem, run, steps, bound, heavy);
+	heavy.lighten();
 	return problem.metric().factorize() ? ending : Ending::Unsolvable;
 }
 
