@@ -50,7 +50,7 @@ TriangleMesh PanelSewing::meshOfUser(const PlannedSurface& planned) const {
 }
 
 void PanelSewing::lessRoomAfter(const SewnPanels& sewn, const CutSurface& surface) {
-	constexpr double least = 0.6, leastFactor = 0.85;
+	constexpr double least = 0.8, leastFactor = 0.85;
 	double farthest = 1; // share of the limit
 	for (int panel = 0; panel < surface.panelCount(); ++panel)
 		if (const CutPanel& report = sewn.panels[panel]; report.reason == Reason::TooFar) {
