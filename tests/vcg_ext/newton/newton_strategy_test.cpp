@@ -47,6 +47,23 @@ TEST(NewtonStrategy, MovesNoFartherThanWithoutLevels) {
 	expectConverges(assembly, 1.1 * meanDisplacement(assembly, direct.positions));
 }
 
+/// What finer levels have to take away are short waves: long ones in their stead lead sewn panels far away.
+TEST(NewtonStrategy, MovesSewnPanelsLessWithLessSmoothnessOnFinerLevels) {
+	ConstrainedNewtonOptions usual, smoother;
+	usual.tuning.otherLevels = smoother.tuning.otherLevels = 0;
+	smoother.tuning.fineSmoothness = 1;
+	const auto solved = [](const PatchAssembly& assembly, const ConstrainedNewtonOptions& options) {
+		Positions positions = assembly.originalPositions;
+		EXPECT_EQ(constrainedNewton(assembly, positions, options).status, Status::Converged);
+		return positions;
+	};
+	for (const PatchAssembly& assembly : {mirroredPatches(40, vamp, 0.7), mirroredPatches(50, wave, 0.7)})
+		EXPECT_LT(meanDisplacement(assembly, solved(assembly, usual)),
+				  meanDisplacement(assembly, solved(assembly, smoother)));
+	const PatchAssembly single = assembled(jitteredGrid(51, 51, bumpedCylinder));
+	EXPECT_EQ(solved(single, usual), solved(single, smoother));
+}
+
 TEST(NewtonStrategy, DoesWithLittleMemory) {
 	const PatchAssembly assembly = assembled(jitteredGrid(51, 51, bumpedCylinder));
 	ConstrainedNewtonOptions options;

@@ -9,11 +9,13 @@
 namespace developable::test {
 namespace {
 
-/// The weight of places at the bound stays what it is: where it grows the usual way ends near in more cases.
+/// The weight of places at the bound stays what it is, and finer levels are as smooth as the coarsest: else the
+/// usual way ends near in more cases.
 ConstrainedNewtonOptions optionsWith(int otherLevels) {
 	ConstrainedNewtonOptions options;
 	options.tuning.closerRounds = 0;
 	options.tuning.boundWeightIncrease = 1;
+	options.tuning.fineSmoothness = 1;
 	options.tuning.otherLevels = otherLevels;
 	return options;
 }

@@ -158,7 +158,9 @@ std::unique_ptr<NewtonProblem> NewtonStrategy::problemOf(const Level& level, New
 std::unique_ptr<NewtonProblem> NewtonStrategy::fineProblemOf(const Level& level) const {
 	std::unique_ptr<NewtonProblem> problem =
 		problemOf(level, leftToOthers_.waysBack ? tuning_.beforeOthers() : tuning_);
-	problem->setSmoothness(smoothness_);
+	// What has to go there are short waves, and long ones in their stead lead panels far away that pull at
+	// each other. A single panel stays smoother with all of α.
+	problem->setSmoothness(level.assembly.isSewn() ? tuning_.fineSmoothness * smoothness_ : smoothness_);
 	problem->jacobian().freeBorders(true);
 	return problem;
 }

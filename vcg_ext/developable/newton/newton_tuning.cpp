@@ -209,6 +209,7 @@ std::vector<TuningConstant> constantsOfStrategy() {
 		{"levelRatio", &NewtonTuning::levelRatio},
 		{"coarseRoom", &NewtonTuning::coarseRoom},
 		{"leastReduction", &NewtonTuning::leastReduction},
+		{"fineSmoothness", &NewtonTuning::fineSmoothness},
 		{"prolongationBending", &NewtonTuning::prolongationBending},
 		{"prolongationMass", &NewtonTuning::prolongationMass},
 		{"coarseShortening", &NewtonTuning::coarseShortening},
