@@ -9,8 +9,8 @@
 namespace developable::test {
 namespace {
 
-/// The weight of places at the bound stays what it is, and finer levels are as smooth as the coarsest: else the
-/// usual way ends near in more cases.
+/// The weight of places at the bound stays what it is, and finer levels are as smooth as the coarsest: else
+/// the usual way ends near in more cases.
 ConstrainedNewtonOptions optionsWith(int otherLevels) {
 	ConstrainedNewtonOptions options;
 	options.tuning.closerRounds = 0;
