@@ -18,7 +18,7 @@ bool Continuation::weighFarPlaces() {
 	const Eigen::VectorXd& masses = problem_.metric().placeMass();
 	const Eigen::VectorXd more =
 		tuning.farPlace * masses.array() * shares.min(tuning.farMost).pow(tuning.farSharpness);
-	problem_.weigh(masses + more - problem_.metric().weight());
+	problem_.setWeight(masses + more);
 	return problem_.metric().factorize();
 }
 

@@ -67,6 +67,8 @@ public:
 
 	/// Makes places heavier, see BendingMetric.
 	void weigh(const Eigen::VectorXd& masses);
+	/// Makes places as heavy as this, whatever they are by then; see BendingMetric::weight.
+	void setWeight(const Eigen::VectorXd& weight) { weigh(weight - metric_.weight()); }
 
 	/// Where a step would spoil triangles they are made stiffer. \return whether there are any
 	bool stiffenFor(const Positions& positions);

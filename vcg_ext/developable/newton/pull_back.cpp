@@ -71,7 +71,7 @@ Ending pullBackWithin(NewtonProblem& problem, NewtonRun& run, double bound) {
 		NewtonRun back = run.elsewhere(original + move, tuning.pullBackSteps);
 		const Eigen::VectorXd weights = problem.metric().weight();
 		const Ending ending = stepsWithin(problem, back, bound, tuning.pullBackRounds);
-		problem.weigh(weights - problem.metric().weight());
+		problem.setWeight(weights);
 		if (ending == Ending::Reached)
 			run.goBackTo(back.shape());
 		if (ending == Ending::Reached || ending == Ending::Stopped)

@@ -17,7 +17,7 @@ public:
 	HeavyPlaces& operator=(const HeavyPlaces&) = delete;
 
 	/// As before. Memory may be missing for it: no matter of a destructor.
-	void lighten() { problem_.weigh(before_ - problem_.metric().weight()); }
+	void lighten() { problem_.setWeight(before_); }
 
 	/// By how near each is to a bound, and by more in every round: with the same weight the last hundredths
 	/// of the way would take ever smaller steps. \return whether the metric can be factorised then
@@ -28,7 +28,7 @@ public:
 		const Eigen::VectorXd more = increase_ * tuning.boundWeight * problem_.metric().placeMass().array() *
 									 nearness.min(1).pow(tuning.boundSharpness);
 		increase_ *= tuning.boundWeightIncrease;
-		problem_.weigh(before_ + more - problem_.metric().weight());
+		problem_.setWeight(before_ + more);
 		return problem_.metric().factorize();
 	}
 
