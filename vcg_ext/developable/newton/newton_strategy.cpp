@@ -159,8 +159,9 @@ std::unique_ptr<NewtonProblem> NewtonStrategy::fineProblemOf(const Level& level)
 	std::unique_ptr<NewtonProblem> problem =
 		problemOf(level, leftToOthers_.waysBack ? tuning_.beforeOthers() : tuning_);
 	// What has to go there are short waves, and long ones in their stead lead panels far away that pull at
-	// each other. A single panel stays smoother with all of α.
-	problem->setSmoothness(level.assembly.isSewn() ? tuning_.fineSmoothness * smoothness_ : smoothness_);
+	// each other. A single panel stays smoother with all of α, and what is large takes a third of the time.
+	const bool mayReturn = level.assembly.isSewn() && isSmallEnoughToReturn(*problem);
+	problem->setSmoothness(mayReturn ? tuning_.fineSmoothness * smoothness_ : smoothness_);
 	problem->jacobian().freeBorders(true);
 	return problem;
 }

@@ -226,7 +226,7 @@ struct NewtonTuning {
 	double levelRatio = 4;            ///< between the numbers of places of two levels
 	double coarseRoom = 0.95;         ///< share of the bound on displacements that a coarser level has
 	double leastReduction = 0.7;      ///< share of the places: else a level is not worth its while
-	double fineSmoothness = 0.01;     ///< share of α on finer levels of panels that are sewn together
+	double fineSmoothness = 0.01;     ///< share of α on finer levels of sewn panels: not on large ones
 	double prolongationBending = 0.3; ///< β in units of (A/n)²: waves below five coarse edges are left out
 	double prolongationMass = 1e-6;   ///< share of its mass that a place has which the coarse level has not
 	double coarseShortening = 0.1;    ///< of a border, by a place that goes at most, in coarse edges
