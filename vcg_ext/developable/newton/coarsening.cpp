@@ -30,12 +30,13 @@ PartialAssembly Coarsening::coarsen(int placesWanted) {
 	const double edge = std::sqrt(2 * area / (std::sqrt(3.0) * placesWanted)); // of even triangles
 	shortening_ = tuning_.coarseShortening * edge;
 	double share = tuning_.coarseShare;
-	for (bool goesOn = true; goesOn && placeCount_ > placesWanted;) {
+	while (placeCount_ > placesWanted) {
 		const int before = placeCount_;
 		sweep(placesWanted, share);
 		if (placeCount_ <= few * before)
 			continue;
-		goesOn = share < 1;
+		if (share >= 1)
+			break;
 		share = std::min(2 * share, 1.0); // most of the smallest are corners, or in the way of each other
 	}
 	return partialAssembly(assembly_, trianglesWhere(triangles_, [&](int t) { return alive_[t]; }));
