@@ -11,7 +11,8 @@ namespace developable::detail {
 /// What is too small goes to a neighbour, or takes from one, if all hold then. Whole runs take long: one
 /// shows whether all that holds briefly does, and where it does not, some more do so one by one.
 void PanelPlan::absorbSmallPanels() {
-	constexpr int briefTries = 8, wholeTries = 2;
+	constexpr int manyTries = 8, fewTries = 4, wholeTries = 2;
+	const int briefTries = mayTry() ? manyTries : fewTries;
 	if (!confirms_ || smallPanels(planned_.surface).empty() || worstOf(sewn_) >= 0) {
 		absorbEach(briefTries);
 		return;

@@ -15,15 +15,16 @@
 
 namespace developable::detail {
 
-/// Of what does not hold in a round of dividing one panel at first, as others may hold then, too; later some,
-/// in the end all of them, for it has to end.
+/// Of what does not hold in a round of dividing one panel at first, as others may hold then, too; later some.
+/// In the end, or where most do not and there is no time left to try, all of them, for it has to end.
 std::vector<int> PanelPlan::panelsToDivideIn(int round, const SewnPanels& sewn) const {
 	constexpr int roundsOfOne = 8, roundsOfSome = 14;
 	constexpr std::size_t some = 3; // of so many the worst
 	if (round < roundsOfOne && mayTry())
 		return panelsToDivide(sewn);
 	std::vector<int> panels = worstFirst(sewn);
-	if (round < roundsOfSome)
+	const bool mostFail = 2 * static_cast<int>(panels.size()) > planned_.surface.usedPanelCount();
+	if (round < roundsOfSome && (mayTry() || !mostFail))
 		panels.resize((panels.size() + some - 1) / some);
 	return panels;
 }

@@ -58,7 +58,8 @@ void takeOverBest(PanelPlan& plan, const ThinnedPatches& thinned, const FoundPan
 }
 
 /// Where panels are is found with fewer triangles.
-FoundPanels searchThinned(const SearchInput& input, const Progress& progress) {
+/// \param confirmed  as of searchPanels
+FoundPanels searchThinned(const SearchInput& input, bool confirmed, const Progress& progress) {
 	constexpr double shareOfSearch = 0.7;
 	const ThinnedPatches thinned(input.patches, placesOfThinned);
 	std::vector<double> thinnedLimits = thinned.limits(input.limits);
@@ -69,16 +70,19 @@ FoundPanels searchThinned(const SearchInput& input, const Progress& progress) {
 	if (found.stopped)
 		return stoppedPanels();
 	PanelPlan plan(input.patches, input.limits, input.options, partOf(progress, shareOfSearch, 1));
+	if (!confirmed)
+		plan.trustBriefRuns();
 	takeOverBest(plan, thinned, found, input.options);
 	const bool hold = !plan.stopped() && plan.finishTakenOver();
 	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
 }
 
 /// With as many triangles as serve.
-FoundPanels searchFor(const SearchInput& input, const Progress& progress) {
+/// \param confirmed  as of searchPanels
+FoundPanels searchFor(const SearchInput& input, bool confirmed, const Progress& progress) {
 	if (input.patches.mesh.triangleCount() > mostTriangles)
-		return searchThinned(input, progress);
-	return searchPanels(input, true, progress);
+		return searchThinned(input, confirmed, progress);
+	return searchPanels(input, confirmed, progress);
 }
 
 /// Where panels are is found without detail.
@@ -87,7 +91,7 @@ FoundPanels searchSmoothed(const SearchInput& input, const SmoothedPatches& smoo
 	constexpr double shareOfSearch = 0.8;
 	const std::vector<double> limits = smoothed.limits();
 	const FoundPanels found =
-		searchFor({smoothed.patches(), limits, input.options}, partOf(progress, 0, shareOfSearch));
+		searchFor({smoothed.patches(), limits, input.options}, false, partOf(progress, 0, shareOfSearch));
 	if (found.stopped)
 		return stoppedPanels();
 	PanelPlan plan(input.patches, input.limits, input.options, partOf(progress, shareOfSearch, 1));
@@ -105,7 +109,7 @@ FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& l
 	const SmoothedPatches smoothed(patches, limits);
 	if (smoothed.hadDetail())
 		return searchSmoothed({patches, limits, options}, smoothed, progress);
-	return searchFor({patches, limits, options}, progress);
+	return searchFor({patches, limits, options}, true, progress);
 }
 
 FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,

@@ -2,6 +2,8 @@
 // panel_search.cpp: searches that begin with clusters of several sizes, the most promising first.
 #include "panel_search.h"
 
+#include "developable/geometry/geometry.h"
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -17,6 +19,7 @@ constexpr double muchWork = 5e7;   ///< see WorkBudget: a minute or two
 constexpr int mostSearches = 2;    ///< of those that take longer
 constexpr double littleCurvature =
 	3 * 4 * pi; ///< inside panels, rad: as much as three closed convex shapes have
+constexpr double muchCurvature = 16 * 4 * pi; ///< of all that is to be cut: it has limbs, or detail
 constexpr double shareOfFirst = 0.1, shareOfJoining = 0.7; ///< of the time of a search
 
 /// The better of two first, the other behind it.
@@ -30,10 +33,14 @@ void addSearch(FoundPanels& found, FoundPanels next) {
 /// A search, and where it begins.
 class Start {
 public:
-	Start(const SearchInput& input, const Progress& progress)
+	/// \param confirmed  as of searchPanels
+	Start(const SearchInput& input, bool confirmed, const Progress& progress)
 		: progress_(progress),
 		  plan_(input.patches, input.limits, input.options,
-				[this](double done, const std::string& what) { return mayGoOn(progress_, done, what); }) {}
+				[this](double done, const std::string& what) { return mayGoOn(progress_, done, what); }) {
+		if (!confirmed)
+			plan_.trustBriefRuns();
+	}
 	Start(const Start&) = delete;
 	Start& operator=(const Start&) = delete;
 
@@ -88,24 +95,19 @@ double price(const CutSurface& surface) {
 	return seamLength(surface) * (1 + panelPrice * surface.usedPanelCount());
 }
 
-/// Of clusters that searches begin with, see ClusterOptions. Where there are many triangles fine clusters
-/// take long to join, and all do with a material: a test of strain takes many times as long.
-std::vector<double> clusterDeviations(const SearchInput& input) {
-	constexpr int manyTriangles = 2000;
-	if (input.patches.mesh.triangleCount() <= manyTriangles)
-		return {0.15, 0.25, 0.35, 0.08};
-	if (input.options.material.bounds.any())
-		return {0.15};
-	return {0.15, 0.25, 0.35};
+/// Of what is to be cut, rad.
+double curvatureOf(const TriangleMesh& mesh) {
+	const PatchAssembly assembly = assemblePatches(mesh, {});
+	return angleDefects(assembly, assembly.originalPositions).cwiseAbs().sum();
 }
 
 /// Clusters of several sizes. Where panels that are joined of the first do not hold nearly there are no
 /// others.
-Starts newStarts(const SearchInput& input, const Progress& progress) {
+Starts newStarts(const SearchInput& input, bool confirmed, const Progress& progress) {
 	Starts starts;
 	std::set<std::vector<int>> begun; // what begins alike ends alike
 	for (const double deviation : clusterDeviations(input)) {
-		auto start = std::make_unique<Start>(input, progress);
+		auto start = std::make_unique<Start>(input, confirmed, progress);
 		const bool isNew = begun.insert(start->plan().cluster(deviation)).second;
 		if (!isNew && !start->plan().stopped())
 			continue;
@@ -147,6 +149,16 @@ FoundPanels searchInStages(const SearchInput& input, bool confirmed, const Progr
 
 } // namespace
 
+std::vector<double> clusterDeviations(const SearchInput& input) {
+	constexpr int manyTriangles = 2000;
+	const TriangleMesh& mesh = input.patches.mesh;
+	if (mesh.triangleCount() <= manyTriangles)
+		return {0.15, 0.25, 0.35, 0.08};
+	if (input.options.material.bounds.any() || curvatureOf(mesh) > muchCurvature)
+		return {0.15};
+	return {0.15, 0.25, 0.35};
+}
+
 FoundPanels foundBy(const PanelPlan& plan, bool hold) {
 	return {plan.found(), plan.sewn(), hold, plan.stopped(), {}};
 }
@@ -166,7 +178,7 @@ bool isBetter(const FoundPanels& a, const FoundPanels& b) {
 }
 
 FoundPanels searchPanels(const SearchInput& input, bool confirmed, const Progress& progress) {
-	Starts starts = newStarts(input, progress);
+	Starts starts = newStarts(input, confirmed, progress);
 	if (!starts.front()->holdsNearly())
 		return searchInStages(input, confirmed, partOf(progress, shareOfFirst, 1));
 	if (starts.back()->plan().stopped())

@@ -18,6 +18,11 @@ struct SearchInput {
 /// mended. Where more do not, as on shapes with limbs and fine detail, panels pull at each other all over.
 inline constexpr std::size_t fewFailures = 2;
 
+/// Of clusters that searches begin with, see ClusterOptions, one search for each. Where there are many
+/// triangles fine clusters take long to join, and all do with limbs or much detail, or a material: a test of
+/// strain takes many times as long.
+std::vector<double> clusterDeviations(const SearchInput& input);
+
 FoundPanels foundBy(const PanelPlan& plan, bool hold);
 FoundPanels stoppedPanels();
 
