@@ -610,6 +610,7 @@ class Reason(enum.IntEnum):
     SEAM_BEYOND_BOUNDS = 13
     SEAM_SEWN = 14
     SEAM_STILL = 15
+    SEAM_CRUMPLES = 16
 
     @property
     def text(self) -> str:
@@ -634,6 +635,7 @@ _REASON_TEXTS = {
     Reason.SEAM_BEYOND_BOUNDS: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would be strained by more than the material bears",
     Reason.SEAM_SEWN: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), was found to help: without it the panel would do by itself, but hardly with smooth seams and sewn to the others",
     Reason.SEAM_STILL: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), spares all movement: without it the panel would do, but not as it is",
+    Reason.SEAM_CRUMPLES: "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would crumple",
 }
 
 

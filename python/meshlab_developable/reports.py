@@ -53,6 +53,7 @@ SEAM_REASONS = (
     Reason.SEAM_BEYOND_BOUNDS,
     Reason.SEAM_SEWN,
     Reason.SEAM_STILL,
+    Reason.SEAM_CRUMPLES,
 )
 
 

@@ -92,4 +92,5 @@ def test_reasons_have_the_numbers_of_the_interface():
         "SEAM_BEYOND_BOUNDS": 13,
         "SEAM_SEWN": 14,
         "SEAM_STILL": 15,
+        "SEAM_CRUMPLES": 16,
     }

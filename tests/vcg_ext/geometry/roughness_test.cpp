@@ -44,6 +44,35 @@ TEST(Roughness, DoesNotDependOnTheOrientationOfFaces) {
 	EXPECT_NEAR(roughnessOf(mesh), before, 1e-15);
 }
 
+double meanAbsoluteCurvatureOf(const TriangleMesh& mesh) {
+	const PatchAssembly assembly = assemblePatches(mesh, {});
+	return meanAbsoluteCurvature(assembly, assembly.originalPositions);
+}
+
+/// Half of a cylinder of radius 1 and length 1 has 1/2 on an area of π, all of a unit sphere 1 on 4π, and the
+/// middle of a shallow saddle as much as its principal curvatures, though its mean curvature is none.
+TEST(MeanAbsoluteCurvature, IsThatOfASmoothShapeHoweverItIsMeshed) {
+	const auto halfCylinder = [](int columns, int rows) {
+		return grid(columns, rows, [](double u, double v) -> Eigen::Vector3d {
+			return {std::cos(u * pi), std::sin(u * pi), v};
+		});
+	};
+	EXPECT_NEAR(meanAbsoluteCurvatureOf(halfCylinder(101, 3)), pi / 2, 0.02 * pi / 2);
+	EXPECT_NEAR(meanAbsoluteCurvatureOf(halfCylinder(201, 21)), pi / 2, 0.01 * pi / 2);
+	EXPECT_NEAR(meanAbsoluteCurvatureOf(sphere(1, 4)), 4 * pi, 0.02 * 4 * pi);
+	EXPECT_NEAR(meanAbsoluteCurvatureOf(sphere(3, 3)), 3 * 4 * pi, 0.03 * 3 * 4 * pi);
+	const auto shallowSaddle = [](double u, double v) {
+		return Eigen::Vector3d(u, v, 0.02 * (u * u - v * v));
+	};
+	EXPECT_NEAR(meanAbsoluteCurvatureOf(grid(41, 41, shallowSaddle)), 0.04, 0.03 * 0.04);
+}
+
+TEST(MeanAbsoluteCurvature, CountsFoldsOfBothSides) {
+	for (const double angle : {0.0, 0.5, 2.0})
+		EXPECT_NEAR(meanAbsoluteCurvatureOf(foldedPair(angle)), angle / 2, 1e-12);
+	EXPECT_EQ(meanAbsoluteCurvatureOf(jitteredGrid(7, 7, flatSheet)), 0);
+}
+
 TEST(Roughness, IsZeroForOneFaceAndForAFlatSheet) {
 	TriangleMesh triangle = foldedPair(1);
 	triangle.triangles.conservativeResize(3, 1);

@@ -11,4 +11,10 @@ namespace developable {
 /// neighbours.
 double roughness(const PatchAssembly& assembly, const Positions& positions);
 
+/// The integral of (abs(κ₁) + abs(κ₂)) / 2, the mean of the absolute principal curvatures, over all patches,
+/// length: as in Steiner's formula half the sum of length times angle over the edges that faces share within
+/// their patch. It hardly depends on how finely a smooth shape is meshed; one that crumples has several times
+/// that of the smooth one.
+double meanAbsoluteCurvature(const PatchAssembly& assembly, const Positions& positions);
+
 } // namespace developable

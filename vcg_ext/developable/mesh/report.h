@@ -58,7 +58,8 @@ enum class Reason {
 	SeamNoSheet = 12,      ///< it would be a ring, a tube or a ball
 	SeamBeyondBounds = 13, ///< it would be strained by more than the material bears
 	SeamSewn = 14,         ///< it would hold by itself, but not among the others
-	SeamStill = 15         ///< it would have to move; with it nothing has to
+	SeamStill = 15,        ///< it would have to move; with it nothing has to
+	SeamCrumples = 16      ///< it would become developable only by folds all over
 };
 
 struct ReasonProperties {
@@ -114,6 +115,8 @@ inline constexpr ReasonProperties reasonProperties[] = {
 	{Reason::SeamStill, "SEAM_STILL",
 	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), spares all movement: without it the panel would "
 	 "do, but not as it is"},
+	{Reason::SeamCrumples, "SEAM_CRUMPLES",
+	 "its longest seam, beside panel {neighbour} at ({seam_x}, {seam_y}, {seam_z}), has to be: without it the panel would crumple"},
 };
 
 /// What follows a reason's text where {edge_strain_left} is known and the text has not said it.

@@ -81,6 +81,16 @@ bool isNear(const PatchAssembly& assembly, const Positions& positions, const Pan
 		   verdict.meanDisplacement <= limits.meanDisplacement;
 }
 
+/// A smooth shape that becomes developable is bent about as much as it was. One that is too much curved gets
+/// there by folds, and more of them among others that pull at it, or with more triangles.
+bool crumples(const PatchAssembly& assembly, const Positions& positions) {
+	constexpr double mostBent = 1.4; // beside the original
+	constexpr double bendOfFlat = 1; // across what is flat, rad
+	const double side = std::sqrt(copyAreas(assembly, assembly.originalPositions).sum());
+	return meanAbsoluteCurvature(assembly, positions) >
+		   mostBent * meanAbsoluteCurvature(assembly, assembly.originalPositions) + bendOfFlat * side / 2;
+}
+
 void testOnLevel(const PatchAssembly& assembly, const PanelLimits& limits, const Progress& progress,
 				 PanelVerdict& verdict) {
 	Positions positions = assembly.originalPositions;
@@ -88,14 +98,19 @@ void testOnLevel(const PatchAssembly& assembly, const PanelLimits& limits, const
 	const ConstrainedNewtonReport report = constrainedNewton(assembly, positions, briefRun(limits), progress);
 	verdict.work += report.work;
 	const bool near = isNear(assembly, positions, limits, verdict);
-	if (!converged(report.status))
+	verdict.obstacle = Obstacle::TooFar; // so it is what goes on to somewhere else, and ends on the way
+	if (!converged(report.status)) {
 		verdict.worstPoint = worstPoint(assembly, positions);
-	else if (!near)
+		return;
+	}
+	const bool crumpled = near && crumples(assembly, positions);
+	if (!near || crumpled) {
 		verdict.worstPoint = farthestPoint(assembly, positions);
-	else
-		verdict.flat = liesFlat(assembly, positions, limits.notch);
-	const bool reached = converged(report.status) && near; // what goes on to somewhere else ends on the way
-	verdict.obstacle = verdict.flat ? Obstacle::None : reached ? Obstacle::Overlaps : Obstacle::TooFar;
+		verdict.obstacle = crumpled ? Obstacle::Crumples : Obstacle::TooFar;
+		return;
+	}
+	verdict.flat = liesFlat(assembly, positions, limits.notch);
+	verdict.obstacle = verdict.flat ? Obstacle::None : Obstacle::Overlaps;
 }
 
 /// How far a shape has to move shows with few places.

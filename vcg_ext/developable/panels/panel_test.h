@@ -24,6 +24,7 @@ enum class Obstacle {
 	None,
 	NoSheet,
 	TooFar,
+	Crumples, ///< it becomes developable by folds all over
 	Overlaps,
 	BeyondBounds,
 	Unpromising ///< it was not looked into

@@ -19,6 +19,8 @@ Reason reasonOf(const PanelVerdict& verdict, bool still) {
 		return Reason::SeamNoSheet;
 	case Obstacle::TooFar:
 		return Reason::SeamTooFar;
+	case Obstacle::Crumples:
+		return Reason::SeamCrumples;
 	case Obstacle::Overlaps:
 		return verdict.disk ? Reason::SeamOverlaps : Reason::SeamNoSheet;
 	case Obstacle::BeyondBounds:
