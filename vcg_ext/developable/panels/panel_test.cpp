@@ -84,7 +84,7 @@ bool isNear(const PatchAssembly& assembly, const Positions& positions, const Pan
 /// A smooth shape that becomes developable is bent about as much as it was. One that is too much curved gets
 /// there by folds, and more of them among others that pull at it, or with more triangles.
 bool crumples(const PatchAssembly& assembly, const Positions& positions) {
-	constexpr double mostBent = 1.4; // beside the original
+	constexpr double mostBent = 1.8; // beside the original
 	constexpr double bendOfFlat = 1; // across what is flat, rad
 	const double side = std::sqrt(copyAreas(assembly, assembly.originalPositions).sum());
 	return meanAbsoluteCurvature(assembly, positions) >
