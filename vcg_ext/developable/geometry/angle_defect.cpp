@@ -52,6 +52,10 @@ double detectFunction(const Eigen::VectorXd& defects) {
 	return defects.squaredNorm();
 }
 
+double totalAbsoluteCurvature(const Eigen::VectorXd& defects) {
+	return defects.cwiseAbs().sum();
+}
+
 double largestAngleDefect(const Eigen::VectorXd& defects) {
 	return defects.size() > 0 ? defects.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() : 0;
 }
@@ -90,7 +94,7 @@ Measures measure(const PatchAssembly& assembly, const Positions& positions, doub
 	Measures measures;
 	measures.detectFunction = detectFunction(defects);
 	measures.maxAngleDefect = largestAngleDefect(defects);
-	measures.totalAbsoluteCurvature = defects.cwiseAbs().sum();
+	measures.totalAbsoluteCurvature = totalAbsoluteCurvature(defects);
 	const double developable = (defects.array().abs() <= angleTolerance).select(areas.array(), 0).sum();
 	// Equal sums in a different order may differ in the last bit; all developable means exactly 1.
 	if (!(measures.maxAngleDefect <= angleTolerance))

@@ -24,6 +24,9 @@ Eigen::VectorXd flatDefects(const PatchAssembly& assembly, const Positions& posi
 /// The detect function G = Σ g² (Eq. 4), rad².
 double detectFunction(const Eigen::VectorXd& defects);
 
+/// C = Σ abs(g), rad.
+double totalAbsoluteCurvature(const Eigen::VectorXd& defects);
+
 /// The largest abs(g), rad; 0 of none, and not a number where any of them is not.
 double largestAngleDefect(const Eigen::VectorXd& defects);
 

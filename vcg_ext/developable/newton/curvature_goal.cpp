@@ -53,7 +53,7 @@ bool lessCurved(const PatchAssembly& assembly, const Eigen::VectorXd& defects,
 				const Eigen::VectorXd& others) {
 	if (holdsPlaces(assembly))
 		return detectFunction(defects) < detectFunction(others);
-	return defects.cwiseAbs().sum() < others.cwiseAbs().sum();
+	return totalAbsoluteCurvature(defects) < totalAbsoluteCurvature(others);
 }
 
 } // namespace developable::detail

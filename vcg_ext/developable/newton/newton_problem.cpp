@@ -55,7 +55,7 @@ void NewtonProblem::prepareNormalSystem() {
 
 Shape NewtonProblem::shapeAt(const Positions& positions) const {
 	const Eigen::VectorXd defects = flatDefects(assembly_, positions);
-	return {positions, jacobian_.scaled(defects, positions), defects.cwiseAbs().sum(),
+	return {positions, jacobian_.scaled(defects, positions), totalAbsoluteCurvature(defects),
 			farthestMove(assembly_, positions), goal_.reached(assembly_, defects)};
 }
 

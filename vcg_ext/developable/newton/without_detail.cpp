@@ -27,7 +27,7 @@ PatchAssembly withoutShortWaves(const PatchAssembly& original, double wavelength
 }
 
 double curvature(const PatchAssembly& assembly) {
-	return angleDefects(assembly, assembly.originalPositions).cwiseAbs().sum();
+	return totalAbsoluteCurvature(angleDefects(assembly, assembly.originalPositions));
 }
 
 double rootMeanSquareMove(const PatchAssembly& original, const PatchAssembly& smoothed) {

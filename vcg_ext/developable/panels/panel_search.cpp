@@ -98,7 +98,7 @@ double price(const CutSurface& surface) {
 /// Of what is to be cut, rad.
 double curvatureOf(const TriangleMesh& mesh) {
 	const PatchAssembly assembly = assemblePatches(mesh, {});
-	return angleDefects(assembly, assembly.originalPositions).cwiseAbs().sum();
+	return totalAbsoluteCurvature(angleDefects(assembly, assembly.originalPositions));
 }
 
 /// Clusters of several sizes. Where panels that are joined of the first do not hold nearly there are no
