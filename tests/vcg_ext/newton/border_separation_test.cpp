@@ -14,6 +14,25 @@ int overlapping(const PatchAssembly& assembly, const Positions& positions) {
 	return flattenPatches(assembly, positions).report.overlappingPieces;
 }
 
+/// Slits across a band of 61 columns from its inner border, as darts that do not open: the sides touch.
+TriangleMesh withSlits(const TriangleMesh& band, int rows) {
+	constexpr int columns = 61, apart = 5;
+	Positions positions = band.positions;
+	Eigen::Matrix3Xi triangles = band.triangles;
+	for (int column = apart; column < columns - 1; column += apart) {
+		const auto first = static_cast<int>(positions.cols());
+		positions.conservativeResize(3, first + rows);
+		for (int row = 0; row < rows; ++row)
+			positions.col(first + row) = band.positions.col(row * columns + column);
+		for (int t = 0; t < band.triangleCount(); ++t) // those behind it have these
+			for (int& vertex : triangles.col(t))
+				if (t % (2 * (columns - 1)) / 2 == column && vertex < rows * columns &&
+					vertex % columns == column)
+					vertex = first + vertex / columns;
+	}
+	return makeMesh(positions, triangles);
+}
+
 TEST(BorderSeparation, OpensWhatCoversItselfByALittleAndNoMore) {
 	for (const double more : {0.01, 0.03, 0.06}) {
 		const PatchAssembly assembly = assembled(coneRamp(more));
@@ -32,6 +51,23 @@ TEST(BorderSeparation, OpensWhatCoversItselfByALittleAndNoMore) {
 		EXPECT_GT(farthestMove(assembly, apart), 0.05 * more);
 		EXPECT_LT(farthestMove(assembly, apart), more);
 		expectSound(assembly, apart);
+	}
+}
+
+/// Which by rounding cross, or do not, at every step.
+TEST(BorderSeparation, LeavesAloneWhatOnlyTouches) {
+	const Progress silent;
+	for (const double more : {-0.1, 0.04, 0.05, 0.06}) {
+		const PatchAssembly assembly = assembled(withSlits(coneRamp(more), 3));
+		ASSERT_EQ(overlapping(assembly, assembly.originalPositions), more > 0 ? 1 : 0);
+		detail::NewtonProblem problem = problemOf(assembly);
+		problem.jacobian().freeBorders(true);
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		detail::BorderSeparation separation(problem, run, 0.1 * boxDiagonal(assembly.originalPositions));
+		ASSERT_EQ(separation.isNeeded(), more > 0);
+		EXPECT_TRUE(more < 0 || separation.run() == detail::Ending::Reached) << more;
+		EXPECT_EQ(overlapping(assembly, run.shape().positions), 0) << more;
+		EXPECT_LT(farthestMove(assembly, run.shape().positions), std::max(more, 1e-9));
 	}
 }
 

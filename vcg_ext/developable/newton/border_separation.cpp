@@ -34,6 +34,16 @@ std::vector<int> wayBetween(const std::vector<int>& border, const FlatBorder& fl
 	return halfEdges;
 }
 
+/// Whether the first and the last edge of a way cross. Those of a border that was closed may by rounding
+/// where they only touch, as the sides of a dart do that does not open: no end of theirs is to be moved then.
+bool endsCross(const FlatBorder& way) {
+	const int last = static_cast<int>(way.points().size()) - 2;
+	const auto divides = [&](int edge, int other) {
+		return way.gap(edge, other) * way.gap(edge, other + 1) < 0;
+	};
+	return divides(0, last) && divides(last, 0);
+}
+
 bool same(const BorderGap& a, const BorderGap& b) {
 	return a.halfEdges[a.edge] == b.halfEdges[b.edge] && a.point - a.edge == b.point - b.edge &&
 		   a.halfEdges.size() == b.halfEdges.size();
@@ -88,13 +98,13 @@ void BorderSeparation::findCrossings() {
 		if (borders_[patch].empty() || leftAsTheyAre_.count(patch) > 0)
 			continue;
 		const FlatBorder flat(assembly, positions, angles, borders_[patch]);
-		const std::vector<std::array<int, 2>> crossings = crossingsOf(flat.closed());
-		if (!crossings.empty())
-			crossing_.insert(patch);
-		for (const std::array<int, 2>& crossing : crossings) {
+		for (const std::array<int, 2>& crossing : crossingsOf(flat.closed())) {
 			std::optional<BorderGap> gap = gapOf(borders_[patch], flat, crossing, angles);
+			if (!gap)
+				continue;
+			crossing_.insert(patch);
 			const auto isSame = [&](const BorderGap& other) { return same(*gap, other); };
-			if (gap && std::none_of(gaps_.begin(), gaps_.end(), isSame))
+			if (std::none_of(gaps_.begin(), gaps_.end(), isSame))
 				gaps_.push_back(std::move(*gap));
 		}
 	}
@@ -107,17 +117,25 @@ std::optional<BorderGap> BorderSeparation::gapOf(const std::vector<int>& border,
 	const std::vector<int> halfEdges = wayBetween(border, flat, crossing);
 	const FlatBorder way(problem_.assembly(), run_.shape().positions, angles, halfEdges);
 	const int last = static_cast<int>(halfEdges.size()) - 1;
+	if (!endsCross(way))
+		return {};
 	std::optional<BorderGap> gap;
 	double least = -std::numeric_limits<double>::infinity();
 	for (const auto& [edge, point] :
 		 {std::pair(0, last + 1), std::pair(0, last), std::pair(last, 0), std::pair(last, 1)}) {
 		const double depth = way.gap(edge, point);
-		if (point == edge || point == edge + 1 || depth >= 0 || depth <= least)
+		if (depth >= 0 || depth <= least)
 			continue;
 		least = depth;
-		gap = {halfEdges, edge, point};
+		gap = {halfEdges, edge, point, wantedGap(-depth)};
 	}
 	return gap;
+}
+
+/// As wide as the crossing is deep: what lies there by a hair need not move by more than that.
+double BorderSeparation::wantedGap(double depth) const {
+	const NewtonTuning& tuning = problem_.tuning();
+	return std::clamp(depth, tuning.separationLeastGap * meanEdge_, tuning.separationGap * meanEdge_);
 }
 
 Eigen::VectorXd BorderSeparation::lacks(const Positions& positions) const {
@@ -125,8 +143,7 @@ Eigen::VectorXd BorderSeparation::lacks(const Positions& positions) const {
 	Eigen::VectorXd result(gaps_.size());
 	for (std::size_t i = 0; i < gaps_.size(); ++i) {
 		const FlatBorder flat(problem_.assembly(), positions, angles, gaps_[i].halfEdges);
-		const double wanted = problem_.tuning().separationGap * meanEdge_;
-		result[Eigen::Index(i)] = gapScale_ * (wanted - flat.gap(gaps_[i].edge, gaps_[i].point));
+		result[Eigen::Index(i)] = gapScale_ * (gaps_[i].wanted - flat.gap(gaps_[i].edge, gaps_[i].point));
 	}
 	return result;
 }

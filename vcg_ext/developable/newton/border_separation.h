@@ -14,10 +14,10 @@ namespace developable::detail {
 
 /// A panel may be developable and yet cover itself when it is laid flat, most often by a sliver where its
 /// border has a notch. Where two edges of a border cross, the end of one lies on the other's side; for the
-/// one that lies there least deep there is a gap (see BorderGap) that has to grow to a small share of an
-/// edge. Gauss-Newton steps on |g|² and the squares of what gaps lack lead to where no border crosses itself,
-/// and a restoration from there to where all is developable again. It is tried anew where that brings new
-/// crossings.
+/// one that lies there least deep there is a gap (see BorderGap) that has to grow to as much, or to a small
+/// share of an edge. Gauss-Newton steps on |g|² and the squares of what gaps lack lead to where no border
+/// crosses itself, and a restoration from there to where all is developable again. It is tried anew where
+/// that brings new crossings.
 class BorderSeparation {
 public:
 	/// \param run    at a developable shape
@@ -40,6 +40,7 @@ private:
 	/// Nothing where the edges touch rather than cross.
 	std::optional<BorderGap> gapOf(const std::vector<int>& border, const FlatBorder& flat,
 								   const std::array<int, 2>& crossing, const Eigen::VectorXd& angles) const;
+	double wantedGap(double depth) const;
 	/// \return its length as a share of the whole; 0 when none was any good
 	double step();
 	/// What the gaps lack, each as the system has it, at a shape; less than 0 where one has more than enough.

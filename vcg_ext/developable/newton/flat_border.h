@@ -49,6 +49,7 @@ std::vector<std::array<int, 2>> crossingsOf(const Eigen::Matrix2Xd& border);
 struct BorderGap {
 	std::vector<int> halfEdges; ///< of the border, from the edge to the point or from there to the edge
 	int edge = 0, point = 0;    ///< among these, and among their ends
+	double wanted = 0;          ///< how far to the right the point is to be, length
 };
 
 /// The gradient of such a gap with respect to the places, 3 x places; 0 at those that are held still. It

@@ -184,6 +184,7 @@ std::vector<TuningConstant> constantsOfBounds() {
 		{"separationSteps", &NewtonTuning::separationSteps},
 		{"separationReach", &NewtonTuning::separationReach},
 		{"separationGap", &NewtonTuning::separationGap},
+		{"separationLeastGap", &NewtonTuning::separationLeastGap},
 		{"separationKept", &NewtonTuning::separationKept},
 		{"separationEpsilon", &NewtonTuning::separationEpsilon},
 		{"separationIdle", &NewtonTuning::separationIdle},
