@@ -25,7 +25,7 @@ std::vector<double> limitsOf(const GivenPatches& given) {
 
 /// By one search alone.
 int panelsFrom(const GivenPatches& given, double deviation) {
-	PanelPlan plan(given, limitsOf(given), {}, {});
+	PanelPlan plan({given, limitsOf(given), {}}, {});
 	plan.cluster(deviation);
 	plan.join();
 	EXPECT_TRUE(plan.search()) << deviation;
@@ -34,7 +34,7 @@ int panelsFrom(const GivenPatches& given, double deviation) {
 
 TEST(FoundPanels, areAsFewAsThoseOfTheBestStart) {
 	const GivenPatches patches = detail::separatePatches(sphere(1, 2), {});
-	const FoundPanels found = detail::findPanels(patches, limitsOf(patches), {}, {});
+	const FoundPanels found = detail::findPanels({patches, limitsOf(patches), {}}, {});
 	ASSERT_TRUE(found.hold);
 	int fewest = panelsFrom(patches, 0.15);
 	for (const double deviation : {0.25, 0.35, 0.08})
@@ -46,7 +46,7 @@ TEST(FoundPanels, areAsFewAsThoseOfTheBestStart) {
 TEST(FoundPanels, ofAFineSurfaceAreThoseOfACoarseOne) {
 	const auto panelsOf = [](int side) {
 		const GivenPatches patches = detail::separatePatches(grid(side, side, bumpedCylinder), {});
-		const FoundPanels found = detail::findPanels(patches, limitsOf(patches), {}, {});
+		const FoundPanels found = detail::findPanels({patches, limitsOf(patches), {}}, {});
 		EXPECT_TRUE(found.hold);
 		EXPECT_GE(found.planned.front().mesh.triangleCount(), patches.mesh.triangleCount());
 		return found.planned.front().surface.usedPanelCount();
@@ -59,7 +59,7 @@ TEST(FoundPanels, areToldOfFromTheThreadThatAsks) {
 	const std::thread::id asking = std::this_thread::get_id();
 	bool fromHere = true;
 	const FoundPanels found =
-		detail::findPanels(patches, limitsOf(patches), {}, [&](double, const std::string&) {
+		detail::findPanels({patches, limitsOf(patches), {}}, [&](double, const std::string&) {
 			fromHere = fromHere && std::this_thread::get_id() == asking;
 			return true;
 		});
@@ -71,14 +71,14 @@ TEST(FoundPanels, areNoneAfterAStopWhileStartsAreJoined) {
 	const GivenPatches patches = bump(9);
 	int calls = 0;
 	const FoundPanels all =
-		detail::findPanels(patches, limitsOf(patches), {}, [&](double, const std::string&) {
+		detail::findPanels({patches, limitsOf(patches), {}}, [&](double, const std::string&) {
 			++calls;
 			return true;
 		});
 	ASSERT_FALSE(all.stopped);
 	for (const int limit : {1, calls / 4, calls / 2}) {
 		int left = limit;
-		const FoundPanels found = detail::findPanels(patches, limitsOf(patches), {},
+		const FoundPanels found = detail::findPanels({patches, limitsOf(patches), {}},
 													 [&](double, const std::string&) { return left-- > 0; });
 		EXPECT_TRUE(found.stopped) << limit << " of " << calls;
 	}

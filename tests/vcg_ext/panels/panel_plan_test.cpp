@@ -15,7 +15,7 @@ using detail::PlannedSurface;
 
 PanelPlan planOf(const GivenPatches& given) {
 	const double limit = 0.02 * boxDiagonal(given.mesh.positions);
-	return {given, {limit}, {}, [](double, const std::string&) { return true; }};
+	return {{given, {limit}, {}}, [](double, const std::string&) { return true; }};
 }
 
 PlannedSurface inStrips(const GivenPatches& given, int count) {

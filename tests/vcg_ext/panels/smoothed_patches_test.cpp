@@ -67,7 +67,7 @@ TEST(SmoothedPatches, areWherePanelsAreLookedFor) {
 	const TriangleMesh mesh = noisy(jitteredGrid(15, 15, steepBump), 0.1);
 	const GivenPatches given = detail::separatePatches(mesh, {});
 	ASSERT_TRUE(SmoothedPatches(given, limitsOf(given)).hadDetail());
-	const detail::FoundPanels found = detail::findPanels(given, limitsOf(given), {}, {});
+	const detail::FoundPanels found = detail::findPanels({given, limitsOf(given), {}}, {});
 	EXPECT_TRUE(found.hold);
 	const PlannedSurface& best = found.planned.front();
 	EXPECT_LE(best.surface.usedPanelCount(), 4);

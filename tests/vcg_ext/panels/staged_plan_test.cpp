@@ -14,8 +14,8 @@ using detail::GivenPatches;
 using detail::PanelPlan;
 using detail::PlannedSurface;
 
-PanelPlan planOf(const GivenPatches& given, const Progress& progress = {}) {
-	return {given, {0.02 * boxDiagonal(given.mesh.positions)}, {}, progress};
+PanelPlan planOf(const GivenPatches& given, const Progress& progress = {}, bool confirmed = true) {
+	return {{given, {0.02 * boxDiagonal(given.mesh.positions)}, {}, confirmed}, progress};
 }
 
 TEST(StagedPlan, hasNoMorePanelsFromStageToStage) {
@@ -32,15 +32,13 @@ TEST(StagedPlan, hasNoMorePanelsFromStageToStage) {
 	EXPECT_GT(found.back().surface.usedPanelCount(), found.front().surface.usedPanelCount());
 }
 
-TEST(StagedPlan, endsWithBriefRunsWhereTheseAreTrusted) {
+TEST(StagedPlan, endsWithBriefRunsWhereNothingIsConfirmed) {
 	const GivenPatches given = detail::separatePatches(grid(50, 50, bumpedCylinder), {});
-	for (const bool trusts : {false, true}) {
-		PanelPlan plan = planOf(given);
-		if (trusts)
-			plan.trustBriefRuns();
+	for (const bool confirmed : {true, false}) {
+		PanelPlan plan = planOf(given, {}, confirmed);
 		plan.cluster(0.15);
 		EXPECT_TRUE(plan.searchInStages());
-		EXPECT_EQ(plan.sewn().provisional, trusts);
+		EXPECT_EQ(plan.sewn().provisional, !confirmed);
 	}
 }
 

@@ -44,11 +44,12 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 	constexpr double lessRoom = 0.999;
 	const CanonicalForm form(given);
 	std::vector<double> limits = displacementLimits(form, options.maxDisplacement);
-	PanelPlan here(given, limitsOf(given, options), options, progress);
+	const std::vector<double> limitsHere = limitsOf(given, options);
+	PanelPlan here({given, limitsHere, options}, progress);
 	for (double& limit : limits)
 		limit *= lessRoom;
 	const auto find = options.symmetric ? findSymmetricPanels : findPanels;
-	FoundPanels found = find(form.patches(), limits, optionsOf(form, options), progress);
+	FoundPanels found = find({form.patches(), limits, optionsOf(form, options)}, progress);
 	if (found.stopped)
 		return stoppedResult();
 	std::vector<PlannedSurface> carried;
@@ -68,10 +69,10 @@ CutResult cutForm(const GivenPatches& given, const CutOptions& options, const Pr
 
 CutResult cutAsItIs(const GivenPatches& given, const CutOptions& options, const Progress& progress) {
 	const std::vector<double> limits = limitsOf(given, options);
-	FoundPanels found = findPanels(given, limits, options, progress);
+	FoundPanels found = findPanels({given, limits, options}, progress);
 	if (found.stopped)
 		return stoppedResult();
-	PanelPlan plan(given, limits, options, progress);
+	PanelPlan plan({given, limits, options}, progress);
 	plan.takeOver(std::move(found.planned.front()), std::move(found.sewn));
 	plan.explain();
 	return plan.result();

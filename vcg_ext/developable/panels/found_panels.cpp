@@ -30,10 +30,9 @@ std::string perCent(double share) {
 
 /// Nothing, unless the surface is developable between its sharp edges.
 /// \param mirror  joins keep to it, or null
-std::optional<FoundPanels> findStillPanels(const GivenPatches& patches, const std::vector<double>& limits,
-										   const CutOptions& options, const MirrorPlane* mirror,
+std::optional<FoundPanels> findStillPanels(const SearchInput& input, const MirrorPlane* mirror,
 										   const Progress& progress) {
-	PanelPlan plan(patches, limits, options, progress);
+	PanelPlan plan(input, progress);
 	const bool hold = mirror != nullptr ? plan.searchStill(*mirror) : plan.searchStill();
 	if (hold || plan.stopped())
 		return foundBy(plan, hold);
@@ -58,31 +57,27 @@ void takeOverBest(PanelPlan& plan, const ThinnedPatches& thinned, const FoundPan
 }
 
 /// Where panels are is found with fewer triangles.
-/// \param confirmed  as of searchPanels
-FoundPanels searchThinned(const SearchInput& input, bool confirmed, const Progress& progress) {
+FoundPanels searchThinned(const SearchInput& input, const Progress& progress) {
 	constexpr double shareOfSearch = 0.7;
 	const ThinnedPatches thinned(input.patches, placesOfThinned);
 	std::vector<double> thinnedLimits = thinned.limits(input.limits);
 	for (double& limit : thinnedLimits)
 		limit *= roomOfThinned;
-	const FoundPanels found = searchPanels({thinned.patches(), thinnedLimits, input.options}, false,
+	const FoundPanels found = searchPanels({thinned.patches(), thinnedLimits, input.options, false},
 										   partOf(progress, 0, shareOfSearch));
 	if (found.stopped)
 		return stoppedPanels();
-	PanelPlan plan(input.patches, input.limits, input.options, partOf(progress, shareOfSearch, 1));
-	if (!confirmed)
-		plan.trustBriefRuns();
+	PanelPlan plan(input, partOf(progress, shareOfSearch, 1));
 	takeOverBest(plan, thinned, found, input.options);
 	const bool hold = !plan.stopped() && plan.finishTakenOver();
 	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
 }
 
 /// With as many triangles as serve.
-/// \param confirmed  as of searchPanels
-FoundPanels searchFor(const SearchInput& input, bool confirmed, const Progress& progress) {
+FoundPanels searchFor(const SearchInput& input, const Progress& progress) {
 	if (input.patches.mesh.triangleCount() > mostTriangles)
-		return searchThinned(input, confirmed, progress);
-	return searchPanels(input, confirmed, progress);
+		return searchThinned(input, progress);
+	return searchPanels(input, progress);
 }
 
 /// Where panels are is found without detail.
@@ -91,10 +86,10 @@ FoundPanels searchSmoothed(const SearchInput& input, const SmoothedPatches& smoo
 	constexpr double shareOfSearch = 0.8;
 	const std::vector<double> limits = smoothed.limits();
 	const FoundPanels found =
-		searchFor({smoothed.patches(), limits, input.options}, false, partOf(progress, 0, shareOfSearch));
+		searchFor({smoothed.patches(), limits, input.options, false}, partOf(progress, 0, shareOfSearch));
 	if (found.stopped)
 		return stoppedPanels();
-	PanelPlan plan(input.patches, input.limits, input.options, partOf(progress, shareOfSearch, 1));
+	PanelPlan plan(input, partOf(progress, shareOfSearch, 1));
 	const bool hold =
 		plan.takeOver(std::vector{smoothed.carriedBack(found.planned.front())}) || plan.divide();
 	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
@@ -102,30 +97,28 @@ FoundPanels searchSmoothed(const SearchInput& input, const SmoothedPatches& smoo
 
 } // namespace
 
-FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
-					   const CutOptions& options, const Progress& progress) {
-	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, nullptr, progress))
+FoundPanels findPanels(const SearchInput& input, const Progress& progress) {
+	if (std::optional<FoundPanels> still = findStillPanels(input, nullptr, progress))
 		return std::move(*still);
-	const SmoothedPatches smoothed(patches, limits);
+	const SmoothedPatches smoothed(input.patches, input.limits);
 	if (smoothed.hadDetail())
-		return searchSmoothed({patches, limits, options}, smoothed, progress);
-	return searchFor({patches, limits, options}, true, progress);
+		return searchSmoothed(input, smoothed, progress);
+	return searchFor(input, progress);
 }
 
-FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,
-								const CutOptions& options, const Progress& progress) {
-	const MirrorPlane plane = mirrorPlane(patches.mesh);
+FoundPanels findSymmetricPanels(const SearchInput& input, const Progress& progress) {
+	const MirrorPlane plane = mirrorPlane(input.patches.mesh);
 	if (!plane.isSymmetric()) {
-		FoundPanels found = findPanels(patches, limits, options, progress);
+		FoundPanels found = findPanels(input, progress);
 		found.notes.push_back("The surface is not symmetric: its best mirror image is " +
 							  perCent(plane.meanDistance) + " of the diagonal away from it on average, and " +
 							  perCent(plane.greatestDistance) +
 							  " at most. It was cut as if symmetric panels had not been asked for.");
 		return found;
 	}
-	if (std::optional<FoundPanels> still = findStillPanels(patches, limits, options, &plane, progress))
+	if (std::optional<FoundPanels> still = findStillPanels(input, &plane, progress))
 		return std::move(*still);
-	PanelPlan plan(patches, limits, options, progress);
+	PanelPlan plan(input, progress);
 	const SymmetricOutcome outcome = plan.searchSymmetric(plane);
 	FoundPanels found = foundBy(plan, outcome != SymmetricOutcome::Fails);
 	if (outcome != SymmetricOutcome::Pairs)

@@ -2,8 +2,8 @@
 // found_panels.h: the best panels of several searches, or those that mirror each other.
 #pragma once
 
-#include "cut_into_panels.h"
 #include "planned_surface.h"
+#include "search_input.h"
 #include "sewn_panels.h"
 
 namespace developable::detail {
@@ -25,12 +25,9 @@ inline constexpr const char* noteOnDivided =
 /// clusters, and what comes to short seams and few panels is sewn together first; another where it promises
 /// more than came of that, and all where it takes little time. Of what holds the fewest panels are taken, of
 /// as many the shortest seams.
-/// \param limits  per patch, how far its panels may move, length
-FoundPanels findPanels(const GivenPatches& patches, const std::vector<double>& limits,
-					   const CutOptions& options, const Progress& progress);
+FoundPanels findPanels(const SearchInput& input, const Progress& progress);
 
 /// Panels that mirror each other, where the surface is its own mirror image; else any, with a note.
-FoundPanels findSymmetricPanels(const GivenPatches& patches, const std::vector<double>& limits,
-								const CutOptions& options, const Progress& progress);
+FoundPanels findSymmetricPanels(const SearchInput& input, const Progress& progress);
 
 } // namespace developable::detail

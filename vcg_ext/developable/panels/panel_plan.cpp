@@ -20,12 +20,12 @@
 
 namespace developable::detail {
 
-PanelPlan::PanelPlan(const GivenPatches& given, const std::vector<double>& limits, const CutOptions& options,
-					 const Progress& progress)
-	: options_(options),
-	  given_(given), planned_{given_.mesh, given_.origins, CutSurface(assemblePatches(given_.mesh, {}))} {
-	tests_ = std::make_unique<PanelTests>(limits, options_.material, progress);
-	sewing_ = std::make_unique<PanelSewing>(given_, limits, options_, *tests_);
+PanelPlan::PanelPlan(const SearchInput& input, const Progress& progress)
+	: options_(input.options), given_(input.patches), planned_{given_.mesh, given_.origins,
+															   CutSurface(assemblePatches(given_.mesh, {}))},
+	  confirms_(input.confirmed) {
+	tests_ = std::make_unique<PanelTests>(input.limits, options_.material, progress);
+	sewing_ = std::make_unique<PanelSewing>(given_, input.limits, options_, *tests_);
 }
 
 bool PanelPlan::mayTry() const {

@@ -9,6 +9,7 @@
 #include "panel_sewing.h"
 #include "planned_surface.h"
 #include "seam_drawing.h"
+#include "search_input.h"
 #include "sharp_features.h"
 #include "thinned_patches.h"
 
@@ -23,12 +24,7 @@ enum class SymmetricOutcome { Pairs, Divided, Fails };
 
 class PanelPlan {
 public:
-	/// \param limits  per patch, how far its panels may move, length
-	PanelPlan(const GivenPatches& given, const std::vector<double>& limits, const CutOptions& options,
-			  const Progress& progress);
-
-	/// What holds briefly counts: it will be sewn together elsewhere.
-	void trustBriefRuns() { confirms_ = false; }
+	PanelPlan(const SearchInput& input, const Progress& progress);
 
 	/// Makes the clusters that joining begins with.
 	/// \param deviation  as in ClusterOptions: how coarse they are
@@ -145,7 +141,7 @@ private:
 	/// or closing overlaps.
 	static constexpr double workOnReliefs = 1e7, workOnClosings = 1.2e7;
 	double reliefsLeft_ = workOnReliefs, closingsLeft_ = workOnClosings;
-	bool confirms_ = true;                 ///< by whole runs
+	bool confirms_;                        ///< by whole runs
 	double room_ = 1;                      ///< that panels have when they are joined, beside the most
 	double workOnJoining_ = 0;             ///< before any were sewn together
 	std::optional<SharpFeatures> creases_; // of what is developable between them

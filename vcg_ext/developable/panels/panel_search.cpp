@@ -33,14 +33,10 @@ void addSearch(FoundPanels& found, FoundPanels next) {
 /// A search, and where it begins.
 class Start {
 public:
-	/// \param confirmed  as of searchPanels
-	Start(const SearchInput& input, bool confirmed, const Progress& progress)
-		: progress_(progress),
-		  plan_(input.patches, input.limits, input.options,
-				[this](double done, const std::string& what) { return mayGoOn(progress_, done, what); }) {
-		if (!confirmed)
-			plan_.trustBriefRuns();
-	}
+	Start(const SearchInput& input, const Progress& progress)
+		: progress_(progress), plan_(input, [this](double done, const std::string& what) {
+			  return mayGoOn(progress_, done, what);
+		  }) {}
 	Start(const Start&) = delete;
 	Start& operator=(const Start&) = delete;
 
@@ -103,11 +99,11 @@ double curvatureOf(const TriangleMesh& mesh) {
 
 /// Clusters of several sizes. Where panels that are joined of the first do not hold nearly there are no
 /// others.
-Starts newStarts(const SearchInput& input, bool confirmed, const Progress& progress) {
+Starts newStarts(const SearchInput& input, const Progress& progress) {
 	Starts starts;
 	std::set<std::vector<int>> begun; // what begins alike ends alike
 	for (const double deviation : clusterDeviations(input)) {
-		auto start = std::make_unique<Start>(input, confirmed, progress);
+		auto start = std::make_unique<Start>(input, progress);
 		const bool isNew = begun.insert(start->plan().cluster(deviation)).second;
 		if (!isNew && !start->plan().stopped())
 			continue;
@@ -138,10 +134,8 @@ bool mayBeBetter(const CutSurface& surface, const FoundPanels& found) {
 	return !found.hold || priceSewn * price(surface) < price(found.planned.front().surface);
 }
 
-FoundPanels searchInStages(const SearchInput& input, bool confirmed, const Progress& progress) {
-	PanelPlan plan(input.patches, input.limits, input.options, progress);
-	if (!confirmed)
-		plan.trustBriefRuns();
+FoundPanels searchInStages(const SearchInput& input, const Progress& progress) {
+	PanelPlan plan(input, progress);
 	plan.cluster(clusterDeviations(input).front());
 	const bool hold = !plan.stopped() && plan.searchInStages();
 	return plan.stopped() ? stoppedPanels() : foundBy(plan, hold);
@@ -177,10 +171,10 @@ bool isBetter(const FoundPanels& a, const FoundPanels& b) {
 	return panels != otherPanels ? panels < otherPanels : seamLength(first) < seamLength(second);
 }
 
-FoundPanels searchPanels(const SearchInput& input, bool confirmed, const Progress& progress) {
-	Starts starts = newStarts(input, confirmed, progress);
+FoundPanels searchPanels(const SearchInput& input, const Progress& progress) {
+	Starts starts = newStarts(input, progress);
 	if (!starts.front()->holdsNearly())
-		return searchInStages(input, confirmed, partOf(progress, shareOfFirst, 1));
+		return searchInStages(input, partOf(progress, shareOfFirst, 1));
 	if (starts.back()->plan().stopped())
 		return stoppedPanels();
 	join(starts, progress);

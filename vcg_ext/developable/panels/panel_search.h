@@ -7,13 +7,6 @@
 
 namespace developable::detail {
 
-/// What panels are looked for on.
-struct SearchInput {
-	const GivenPatches& patches;
-	const std::vector<double>& limits; ///< per patch, how far its panels may move, length
-	const CutOptions& options;
-};
-
 /// Of the panels that were joined first so many may not hold when they are sewn together: others can be
 /// mended. Where more do not, as on shapes with limbs and fine detail, panels pull at each other all over.
 inline constexpr std::size_t fewFailures = 2;
@@ -30,7 +23,6 @@ FoundPanels stoppedPanels();
 bool isBetter(const FoundPanels& a, const FoundPanels& b);
 
 /// From clusters on, those first that promise most.
-/// \param confirmed  what is found should also hold as the user will have it
-FoundPanels searchPanels(const SearchInput& input, bool confirmed, const Progress& progress);
+FoundPanels searchPanels(const SearchInput& input, const Progress& progress);
 
 } // namespace developable::detail
