@@ -2,6 +2,7 @@
 // Darts end sooner, corners of neighbours go, slits run at the other side; nothing falls apart.
 #include "developable/panels/overlap_closing.h"
 
+#include "developable/panels/sewn_failures.h"
 #include "panel_shapes.h"
 
 #include <gtest/gtest.h>

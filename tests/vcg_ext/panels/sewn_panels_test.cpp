@@ -5,6 +5,7 @@
 #include "developable/newton/constrained_newton.h"
 #include "developable/panels/planned_surface.h"
 #include "developable/panels/ring_slits.h"
+#include "developable/panels/sewn_failures.h"
 #include "panel_shapes.h"
 
 #include <gtest/gtest.h>
@@ -124,68 +125,6 @@ TEST(SewnPanels, overlapsOfACoarseLevelAreOnTheSurface) {
 			nearest = std::min(nearest, (barycentre(mesh.positions, mesh.triangles.col(t)) - point).norm());
 		EXPECT_LT(nearest, 1e-9);
 	}
-}
-
-SewnPanels holdingPanels(int count) {
-	SewnPanels sewn;
-	sewn.panels.resize(count);
-	for (CutPanel& panel : sewn.panels) {
-		panel.triangles = 10;
-		panel.developable = true;
-	}
-	return sewn;
-}
-
-/// Seams have to change at both places that lie upon each other, or it would be chance that it helps.
-TEST(SewnPanels, overlapsAreWorstAtBothPlaces) {
-	SewnPanels sewn = holdingPanels(3);
-	EXPECT_TRUE(worstPoints(sewn).empty());
-	const Eigen::Vector3d one(1, 2, 3), other(4, 5, 6);
-	sewn.panels[1].developable = false;
-	sewn.panels[1].reason = Reason::NeedsCut;
-	sewn.panels[1].worstPoint = one;
-	EXPECT_EQ(worstPoints(sewn), std::vector<Eigen::Vector3d>({one}));
-	sewn.overlaps[1] = {one, other};
-	EXPECT_EQ(worstPoints(sewn), std::vector<Eigen::Vector3d>({one, other}));
-}
-
-/// Others may fail for nothing else than the worst.
-TEST(SewnPanels, oneIsDividedAtATimeUnlessEachFailsForItself) {
-	SewnPanels sewn = holdingPanels(4);
-	for (CutPanel& panel : sewn.panels)
-		panel.maxDisplacement = 9;
-	EXPECT_TRUE(panelsToDivide(sewn).empty());
-	for (const int panel : {1, 2}) {
-		sewn.panels[panel].developable = false;
-		sewn.panels[panel].reason = Reason::TooFar;
-		sewn.panels[panel].maxDisplacement = panel;
-		sewn.panels[panel].curvatureAfter = 1e-5 / panel; // rounding
-	}
-	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({2}));
-	sewn.panels[1].curvatureAfter = 3; // it did not move at all
-	sewn.panels[1].reason = Reason::NeedsCut;
-	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({1}));
-	sewn.panels[1].curvatureAfter = 0;
-	sewn.panels[2].reason = Reason::NeedsCut; // both overlap themselves
-	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({2, 1}));
-	for (const int panel : {1, 2})
-		sewn.panels[panel].reason = Reason::BeyondBounds;
-	EXPECT_EQ(panelsToDivide(sewn), std::vector<int>({2, 1}));
-}
-
-TEST(SewnPanels, onlyOverlapWhereNothingElseIsWrong) {
-	SewnPanels sewn = holdingPanels(3);
-	EXPECT_FALSE(onlyOverlap(sewn)); // none fails
-	sewn.panels[1].developable = false;
-	sewn.panels[1].reason = Reason::NeedsCut;
-	EXPECT_TRUE(onlyOverlap(sewn));
-	sewn.panels[2].developable = false;
-	sewn.panels[2].reason = Reason::TooFar;
-	sewn.panels[2].maxDisplacement = 1;
-	EXPECT_FALSE(onlyOverlap(sewn));
-	sewn.panels[2].reason = Reason::NeedsCut;
-	sewn.panels[2].curvatureAfter = 1;
-	EXPECT_FALSE(onlyOverlap(sewn));
 }
 
 /// Limits by default are of the smallest box, and what is preferred has to be the same however a surface is

@@ -2,6 +2,7 @@
 // Panels that get more room from stage to stage, and how many fail when they are first sewn together.
 #include "developable/panels/panel_plan.h"
 
+#include "developable/panels/sewn_failures.h"
 #include "panel_shapes.h"
 
 #include <gtest/gtest.h>

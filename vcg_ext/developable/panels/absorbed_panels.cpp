@@ -4,6 +4,7 @@
 
 #include "panel_test.h"
 #include "selected_whole.h"
+#include "sewn_failures.h"
 #include "small_panels.h"
 
 namespace developable::detail {

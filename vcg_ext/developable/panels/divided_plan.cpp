@@ -6,6 +6,7 @@
 #include "first_panels.h"
 #include "ring_slits.h"
 #include "selected_whole.h"
+#include "sewn_failures.h"
 #include "small_panels.h"
 #include "taken_back_joins.h"
 
@@ -14,20 +15,6 @@
 #include <utility>
 
 namespace developable::detail {
-
-/// Of what does not hold in a round of dividing one panel at first, as others may hold then, too; later some.
-/// In the end, or where most do not and there is no time left to try, all of them, for it has to end.
-std::vector<int> PanelPlan::panelsToDivideIn(int round, const SewnPanels& sewn) const {
-	constexpr int roundsOfOne = 8, roundsOfSome = 14;
-	constexpr std::size_t some = 3; // of so many the worst
-	if (round < roundsOfOne && mayTry())
-		return panelsToDivide(sewn);
-	std::vector<int> panels = worstFirst(sewn);
-	const bool mostFail = 2 * static_cast<int>(panels.size()) > planned_.surface.usedPanelCount();
-	if (round < roundsOfSome && (mayTry() || !mostFail))
-		panels.resize((panels.size() + some - 1) / some);
-	return panels;
-}
 
 /// \return whether there are two panels for one now, or more
 bool PanelPlan::divideByNormals(int panel) {
@@ -72,7 +59,7 @@ SewnPanels PanelPlan::divideUntilAllHold() {
 			continue;
 		}
 		bool any = divideOverlapping(planned_.surface, sewn.overlaps, history_);
-		for (const int panel : panelsToDivideIn(round, sewn))
+		for (const int panel : panelsToDivideIn(round, mayTry(), sewn))
 			any = (sewn.overlaps.count(panel) == 0 && divideByNormals(panel)) || any;
 		if (!any)
 			break;

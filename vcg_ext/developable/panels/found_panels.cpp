@@ -4,6 +4,7 @@
 
 #include "mirror_plane.h"
 #include "panel_search.h"
+#include "sewn_failures.h"
 #include "smoothed_patches.h"
 #include "thinned_patches.h"
 

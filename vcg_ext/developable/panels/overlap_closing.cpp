@@ -3,6 +3,7 @@
 #include "overlap_closing.h"
 
 #include "seam_chains.h"
+#include "sewn_failures.h"
 #include "small_panels.h"
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 #include "seam_reasons.h"
 #include "seam_smoothing.h"
 #include "selected_whole.h"
+#include "sewn_failures.h"
 #include "sewn_panels.h"
 #include "sewn_relief.h"
 #include "small_panels.h"

@@ -109,7 +109,6 @@ private:
 	std::vector<char> divideFailing(PlannedSurface& before, const SewnPanels& sewn);
 	bool divideClusters(PlannedSurface& before, const std::vector<int>& panels);
 	SewnPanels joinedWithDarts();
-	std::vector<int> panelsToDivideIn(int round, const SewnPanels& sewn) const;
 	bool divideByNormals(int panel);
 	SewnPanels divideOverlapsOf(const SewnPanels& sewn);
 	SewnPanels divideUntilAllHold();

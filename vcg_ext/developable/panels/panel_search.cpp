@@ -2,6 +2,8 @@
 // panel_search.cpp: searches that begin with clusters of several sizes, the most promising first.
 #include "panel_search.h"
 
+#include "sewn_failures.h"
+
 #include "developable/geometry/geometry.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "panel_sewing.h"
 
 #include "displacement_limits.h"
+#include "sewn_failures.h"
 
 #include "developable/newton/constrained_newton.h"
 

@@ -2,6 +2,8 @@
 // seam_smoothing.cpp: first what moves seams least, then what makes them smooth.
 #include "seam_smoothing.h"
 
+#include "sewn_failures.h"
+
 #include <utility>
 
 namespace developable::detail {

@@ -27,32 +27,6 @@ struct SewnPanels {
 	double work = 0;          ///< that it took, in units of WorkBudget
 };
 
-/// How bad it is that panels are not developable, in any unit; 0 when all are.
-double totalExcess(const SewnPanels& sewn);
-
-/// The panel that holds least, of those that do not; -1: all hold.
-int worstOf(const SewnPanels& sewn);
-
-/// All panels that do not hold, worst first.
-std::vector<int> worstFirst(const SewnPanels& sewn);
-
-/// Of the panels that do not hold those to be divided. All that overlap themselves or bear too little; else
-/// one, as others may hold without it: that with most curvature left or, where none has any, that moves
-/// farthest.
-std::vector<int> panelsToDivide(const SewnPanels& sewn);
-
-/// Where what does not hold is worst, per panel of those.
-std::vector<Eigen::Vector3d> worstPoints(const SewnPanels& sewn);
-
-/// Whether it is developable, but overlaps itself when laid flat.
-bool overlaps(const CutPanel& panel);
-
-/// Whether some panels do not hold, and all of these overlap themselves.
-bool onlyOverlap(const SewnPanels& sewn);
-
-/// Whether a dart may help: it does not where a panel overlaps itself when laid flat.
-bool wantsDart(const CutPanel& panel);
-
 /// A run on a coarse level of a large surface, that keeps to the limits from the first if it can, and goes
 /// one other way at most where the first leads astray (with a material one that gives up early); as the user
 /// will do it, without any other way; and with all of them.

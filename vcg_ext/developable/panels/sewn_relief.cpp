@@ -3,6 +3,7 @@
 #include "sewn_relief.h"
 
 #include "selected_whole.h"
+#include "sewn_failures.h"
 
 namespace developable::detail {
 

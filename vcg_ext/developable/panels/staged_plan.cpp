@@ -3,6 +3,7 @@
 #include "panel_plan.h"
 
 #include "panel_joining.h"
+#include "sewn_failures.h"
 
 #include <utility>
 

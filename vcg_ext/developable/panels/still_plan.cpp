@@ -4,6 +4,7 @@
 
 #include "first_panels.h"
 #include "seam_drawing.h"
+#include "sewn_failures.h"
 #include "symmetric_joining.h"
 
 #include <algorithm>

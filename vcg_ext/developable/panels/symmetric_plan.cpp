@@ -5,6 +5,7 @@
 #include "first_panels.h"
 #include "normal_clusters.h"
 #include "selected_whole.h"
+#include "sewn_failures.h"
 #include "symmetric_joining.h"
 #include "taken_back_joins.h"
 
