@@ -97,6 +97,29 @@ TEST(BorderSeparation, LeavesWhatNoMoveWithinTheBoundWouldOpen) {
 	EXPECT_EQ(nowhere.shape().positions, deep.originalPositions);
 }
 
+/// Both cross still where the deeper of the two can go no farther within the bound.
+TEST(BorderSeparation, LeavesTheWorstOfThoseThatCrossAndNotTheOthers) {
+	const Progress silent;
+	NewtonTuning tuning;
+	tuning.separationReach = 1e3; // that none is left beforehand
+	const TriangleMesh deep = coneRamp(0.2), shallow = coneRamp(0.1);
+	for (const bool deepFirst : {true, false}) {
+		const PatchAssembly assembly =
+			assembled(deepFirst ? together(deep, shallow) : together(shallow, deep));
+		const double bound = 0.005 * boxDiagonal(assembly.originalPositions);
+		detail::NewtonProblem problem = problemOf(assembly, tuning);
+		problem.jacobian().freeBorders(true);
+		detail::NewtonRun run(problem, assembly.originalPositions, 200, silent);
+		detail::BorderSeparation separation(problem, run, bound);
+		EXPECT_EQ(separation.run(), detail::Ending::Reached);
+		const FlatPatterns flat = flattenPatches(assembly, run.shape().positions);
+		EXPECT_EQ(flat.pieces[0].overlapping, deepFirst);
+		EXPECT_EQ(flat.pieces[1].overlapping, !deepFirst);
+		EXPECT_LE(angleDefects(assembly, run.shape().positions).cwiseAbs().sum(), 1e-4);
+		EXPECT_LE(farthestMove(assembly, run.shape().positions), bound);
+	}
+}
+
 /// What became developable, with the same bits for any number of threads.
 TEST(BorderSeparation, FollowsWhereAWholeRunEndsWithOverlaps) {
 	const PatchAssembly assembly = assembled(noisy(coneRamp(0.03), 0.02));

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace developable::detail {
 
@@ -156,14 +157,31 @@ Ending BorderSeparation::run() {
 		const Ending ending = moveApart();
 		if (ending == Ending::Reached || ending == Ending::Stopped)
 			return ending;
+		if (isNeeded())
+			leftAsTheyAre_.insert(worstPatch());
 		run_.goBackTo(begin);
 		if (!isNeeded())
 			break;
-		leftAsTheyAre_.insert(crossing_.begin(), crossing_.end());
 		gaps_.clear();
 		findCrossings();
 	}
 	return Ending::Stuck;
+}
+
+/// Steps are cut short for all where one of them can't follow.
+int BorderSeparation::worstPatch() const {
+	const Eigen::ArrayXd lack = lacks(run_.shape().positions).cwiseMax(0);
+	std::map<int, double> lackOf;
+	for (const int patch : crossing_)
+		lackOf[patch] = 0;
+	for (std::size_t i = 0; i < gaps_.size(); ++i) {
+		const auto found =
+			lackOf.find(problem_.assembly().patchOfTriangle[triangleOf(gaps_[i].halfEdges[0])]);
+		if (found != lackOf.end())
+			found->second += lack[Eigen::Index(i)] * lack[Eigen::Index(i)];
+	}
+	const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+	return std::max_element(lackOf.begin(), lackOf.end(), less)->first;
 }
 
 Ending BorderSeparation::moveApart() {

@@ -27,9 +27,9 @@ public:
 	/// Whether any border crosses itself that is not left as it is.
 	bool isNeeded() const { return !crossing_.empty(); }
 
-	/// What still crosses itself when no more can be done is left as it is, and the others are tried again
-	/// without it. Ends with the run at the developable shape of which no other crosses itself.
-	/// \return Reached; Stuck, where that is as it was; Unsolvable; Stopped
+	/// Of what still crosses itself when no more can be done the worst patch is left as it is, and the
+	/// others are tried again without it. Ends with the run at the developable shape of which no other
+	/// crosses itself. \return Reached; Stuck, where that is as it was; Unsolvable; Stopped
 	Ending run();
 
 private:
@@ -37,6 +37,8 @@ private:
 	/// \return Reached, at a developable shape of which none crosses; else anywhere
 	Ending moveApart();
 	void findCrossings();
+	/// Of those that cross, the one whose gaps lack most.
+	int worstPatch() const;
 	/// Nothing where the edges touch rather than cross.
 	std::optional<BorderGap> gapOf(const std::vector<int>& border, const FlatBorder& flat,
 								   const std::array<int, 2>& crossing, const Eigen::VectorXd& angles) const;

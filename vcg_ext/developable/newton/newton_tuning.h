@@ -177,7 +177,7 @@ struct NewtonTuning {
 	int leastSquaresSteps = 40; ///< on this way, unless held places or the bound are what is in it
 
 	// Developable panels that overlap themselves when they are laid flat.
-	int separationSteps = 16;    ///< to move them apart; 0: they are left as they are
+	int separationSteps = 40;    ///< to move them apart; 0: they are left as they are
 	double separationReach = 20; ///< of the bound: longer stretches upon the panel itself are left there
 	double separationGap = 0.02; ///< of a mean edge, that is to be between borders that crossed, at most
 	double separationLeastGap = 0.001; ///< of it, at least
@@ -185,7 +185,7 @@ struct NewtonTuning {
 	double separationEpsilon = 1e-6;   ///< share of the greatest response: ε of the first step
 	double separationIdle = 0.95;      ///< share of what it lowers that is left by a step that changes little
 	int separationPatience = 4;        ///< such steps in a row
-	double separationWorkPerPlace = 1500; ///< at most, in units of WorkBudget
+	double separationWorkPerPlace = 3000; ///< at most, in units of WorkBudget
 
 	// Panels that are sewn together and developable: closer yet, if that is easy.
 	double closerFrom = 0.5;  ///< share of the preferred move: less far is near enough
