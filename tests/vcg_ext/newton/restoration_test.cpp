@@ -65,6 +65,28 @@ TEST(Restoration, ReachesTheGoalWhereStiffTrianglesHoldItUp) {
 	expectSound(assembly, run.shape().positions);
 }
 
+/// With ε no less than a share of how much light places respond steps go a few hundredths of the way.
+TEST(Restoration, ReachesTheGoalWhereHeavyPlacesHoldItUp) {
+	const PatchAssembly assembly = assembled(jitteredGrid(21, 21, bumpedCylinder));
+	Positions nearby = expectConverges(assembly, 0.01);
+	nearby += 1e-3 * Positions::Random(3, assembly.placeCount());
+	const NewtonTuning usual;
+	for (const double least : {usual.restorationLeastHeldUp, usual.restorationLeast}) {
+		NewtonTuning tuning;
+		tuning.restorationLeastHeldUp = least;
+		detail::NewtonProblem problem = problemOf(assembly, tuning);
+		const Progress silent;
+		detail::NewtonRun run(problem, nearby, 200, silent);
+		detail::GaussNewton steps(problem, run, true);
+		const double epsilon = 1e-5 * steps.greatestResponse();
+		problem.weigh(1e7 * problem.metric().placeMass());
+		ASSERT_TRUE(problem.metric().factorize());
+		EXPECT_EQ(detail::Restoration(problem, run, steps, epsilon).restore(),
+				  least < usual.restorationLeast ? detail::Ending::Reached : detail::Ending::Stuck);
+		expectSound(assembly, run.shape().positions);
+	}
+}
+
 TEST(Restoration, IsStuckWhereNothingMayMove) {
 	PatchAssembly assembly = assembled(jitteredGrid(9, 9, saddle));
 	assembly.placeFixed.assign(assembly.placeCount(), 1);

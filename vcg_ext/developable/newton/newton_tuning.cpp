@@ -60,6 +60,7 @@ std::vector<TuningConstant> constantsOfSteps() {
 		{"restorationIncrease", &NewtonTuning::restorationIncrease},
 		{"restorationRetry", &NewtonTuning::restorationRetry},
 		{"restorationLeast", &NewtonTuning::restorationLeast},
+		{"restorationLeastHeldUp", &NewtonTuning::restorationLeastHeldUp},
 		{"restorationReview", &NewtonTuning::restorationReview},
 		{"restorationSlow", &NewtonTuning::restorationSlow},
 		{"restorationShortStep", &NewtonTuning::restorationShortStep},

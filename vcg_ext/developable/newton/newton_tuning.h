@@ -61,9 +61,10 @@ struct NewtonTuning {
 	double restorationIncrease = 4;   ///< of ε after a short step
 	double restorationRetry = 16;     ///< of ε when no step was any good
 	double restorationLeast = 1e-8; ///< ε, share of the greatest response: below it rounding makes the steps
-	int restorationReview = 8;      ///< steps in a row that are judged together
-	double restorationSlow = 0.5;   ///< share of |g|² that those may leave: success halves it in each
-	double restorationShortStep = 0.25; ///< length below which a step is short
+	double restorationLeastHeldUp = 1e-12; ///< the same where whole steps leave much at that
+	int restorationReview = 8;             ///< steps in a row that are judged together
+	double restorationSlow = 0.5;          ///< share of |g|² that those may leave: success halves it in each
+	double restorationShortStep = 0.25;    ///< length below which a step is short
 
 	double nearlyThere = 0.3; ///< share of C at the start from which a restoration goes on more freely
 

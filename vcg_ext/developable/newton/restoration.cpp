@@ -5,7 +5,8 @@
 namespace developable::detail {
 
 Restoration::Restoration(NewtonProblem& problem, NewtonRun& run, GaussNewton& steps, double epsilon)
-	: problem_(problem), run_(run), steps_(steps), epsilon_(epsilon) {}
+	: problem_(problem), run_(run), steps_(steps), epsilon_(epsilon),
+	  least_(problem.tuning().restorationLeast * steps.greatestResponse()) {}
 
 Ending Restoration::restore() {
 	std::vector<double> squares; // |g|² before each step
@@ -26,19 +27,28 @@ Ending Restoration::restore() {
 			return Ending::Unsolvable;
 		const double left = run_.shape().squaredDefects() / before;
 		if (heldUp(length, left))
-			steps_.loosen();
+			yieldMore();
 		idle = left > problem_.tuning().restorationIdle ? idle + 1 : 0;
 		if (idle == problem_.tuning().restorationPatience || crawls(squares))
 			return Ending::Stuck;
-		epsilon_ = std::max(epsilon_ * restorationFactor(length, problem_.tuning()), leastEpsilon());
+		epsilon_ = std::max(epsilon_ * restorationFactor(length, problem_.tuning()), least_);
 	}
 	return Ending::Reached;
 }
 
-/// The least ε and a whole step, and yet much is left: angle defects among stiff triangles hardly respond.
-/// What is left to do is so little by now that they can go without.
+/// The least ε and a whole step, and yet much is left: angle defects among stiff triangles or heavy places
+/// hardly respond.
 bool Restoration::heldUp(double length, double left) const {
-	return length == 1 && left > problem_.tuning().restorationSlow && epsilon_ <= leastEpsilon();
+	return length == 1 && left > problem_.tuning().restorationSlow && epsilon_ <= least_;
+}
+
+/// What is left to do is so little by now that triangles can go without being stiff, and steps do no harm
+/// that are less true.
+void Restoration::yieldMore() {
+	const NewtonTuning& tuning = problem_.tuning();
+	steps_.loosen();
+	least_ = std::max(tuning.restorationDecrease * least_,
+					  tuning.restorationLeastHeldUp * steps_.greatestResponse());
 }
 
 /// Slow steps in between are usual, but as many as this have hardly ever led to zero: something is in the

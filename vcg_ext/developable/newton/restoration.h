@@ -7,8 +7,8 @@
 namespace developable::detail {
 
 /// Gauss-Newton steps on |g|² alone, τ = 0, with an ε that falls with every full step, so that they converge
-/// quadratically, and rises with those that had to be cut short (Levenberg and Marquardt). Triangles that
-/// were made stiffer are loosened where they alone hold up the end.
+/// quadratically, and rises with those that had to be cut short (Levenberg and Marquardt). Where stiff
+/// triangles or heavy places alone hold up the end triangles are loosened, and ε falls further.
 class Restoration {
 public:
 	/// \param epsilon  the first
@@ -20,12 +20,12 @@ public:
 private:
 	bool crawls(const std::vector<double>& squares) const;
 	bool heldUp(double length, double left) const;
-	double leastEpsilon() const { return problem_.tuning().restorationLeast * steps_.greatestResponse(); }
+	void yieldMore();
 
 	NewtonProblem& problem_;
 	NewtonRun& run_;
 	GaussNewton& steps_;
-	double epsilon_;
+	double epsilon_, least_; // ε, and below what it does not fall
 };
 
 /// Of ε after a step.
