@@ -49,7 +49,7 @@ SewnPanels PanelPlan::divideOverlapsOf(const SewnPanels& sewn) {
 
 /// Divides in two what does not hold together, where darts do not help.
 SewnPanels PanelPlan::divideUntilAllHold() {
-	constexpr int rounds = 20;
+	constexpr int rounds = 32;
 	reliefsLeft_ = workOnReliefs;
 	closingsLeft_ = workOnClosings;
 	SewnPanels sewn = confirmed(relieved(sewTogether(true), true));
