@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace developable::detail {
 
@@ -171,17 +170,12 @@ Ending BorderSeparation::run() {
 /// Steps are cut short for all where one of them can't follow.
 int BorderSeparation::worstPatch() const {
 	const Eigen::ArrayXd lack = lacks(run_.shape().positions).cwiseMax(0);
-	std::map<int, double> lackOf;
-	for (const int patch : crossing_)
-		lackOf[patch] = 0;
-	for (std::size_t i = 0; i < gaps_.size(); ++i) {
-		const auto found =
-			lackOf.find(problem_.assembly().patchOfTriangle[triangleOf(gaps_[i].halfEdges[0])]);
-		if (found != lackOf.end())
-			found->second += lack[Eigen::Index(i)] * lack[Eigen::Index(i)];
-	}
-	const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
-	return std::max_element(lackOf.begin(), lackOf.end(), less)->first;
+	std::vector<double> lackOf(problem_.assembly().patchCount(), 0);
+	for (std::size_t i = 0; i < gaps_.size(); ++i)
+		lackOf[problem_.assembly().patchOfTriangle[triangleOf(gaps_[i].halfEdges[0])]] +=
+			lack[Eigen::Index(i)] * lack[Eigen::Index(i)];
+	return *std::max_element(crossing_.begin(), crossing_.end(),
+							 [&](int a, int b) { return lackOf[a] < lackOf[b]; });
 }
 
 Ending BorderSeparation::moveApart() {
